@@ -1,0 +1,112 @@
+#include "base/file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+bool file_read(const char *path, Status status, Text *text, Error *error) {
+    FILE *file = fopen(path, "rb");
+    if (!file) return error_set(error, status, "%s: cannot be read: %s", path, strerror(errno));
+    char buffer[65536];
+    size_t got;
+    while ((got = fread(buffer, 1, sizeof buffer, file)) > 0) text_append(text, buffer, got);
+    int failed = ferror(file) ? errno : 0;
+    fclose(file);
+    if (failed) return error_set(error, status, "%s: cannot be read: %s", path, strerror(failed));
+    return true;
+}
+
+bool file_is_special(const char *path) {
+    struct stat status;
+    return stat(path, &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+static bool output_error(const char *path, int number, Error *error) {
+    return error_set(error, STATUS_OUTPUT, "%s: cannot be written: %s", path, strerror(number));
+}
+
+/* The folder that holds `path`, to be freed. */
+static char *folder_of(const char *path) {
+    const char *slash = strrchr(path, '/');
+    if (!slash) return strdup(".");
+    return slash == path ? strdup("/") : strndup(path, (size_t)(slash - path));
+}
+
+bool file_check_target(const char *path, Error *error) {
+    struct stat status;
+    if (stat(path, &status) == 0) {
+        if (S_ISDIR(status.st_mode)) return output_error(path, EISDIR, error);
+        if (access(path, W_OK) != 0) return output_error(path, errno, error);
+        if (!S_ISREG(status.st_mode)) return true;
+    } else if (errno != ENOENT) {
+        return output_error(path, errno, error);
+    }
+    char *resolved = realpath(path, NULL);
+    char *folder = folder_of(resolved ? resolved : path);
+    int failed = access(folder, W_OK | X_OK) == 0 ? 0 : errno;
+    free(resolved);
+    free(folder);
+    return failed ? output_error(path, failed, error) : true;
+}
+
+/* Writes all bytes; 0 or the errno. */
+static int write_all(int descriptor, const char *data, size_t size) {
+    while (size) {
+        ssize_t wrote = write(descriptor, data, size);
+        if (wrote < 0 && errno == EINTR) continue;
+        if (wrote < 0) return errno;
+        data += wrote;
+        size -= (size_t)wrote;
+    }
+    return 0;
+}
+
+static int write_in_place(const char *path, const void *data, size_t size) {
+    int descriptor = open(path, O_WRONLY | O_TRUNC | O_CLOEXEC);
+    if (descriptor < 0) return errno;
+    int failed = write_all(descriptor, data, size);
+    if (close(descriptor) != 0 && !failed) failed = errno;
+    return failed;
+}
+
+/* The permissions of a file made by open(): those of the one it replaces, else what the umask leaves. */
+static mode_t target_mode(const char *target) {
+    struct stat status;
+    if (stat(target, &status) == 0) return status.st_mode & 07777;
+    mode_t mask = umask(0);
+    umask(mask);
+    return 0666 & ~mask;
+}
+
+static int write_and_rename(const char *target, const void *data, size_t size) {
+    char *temporary = memory_get(strlen(target) + 16, 1);
+    sprintf(temporary, "%s.XXXXXX", target);
+    int descriptor = mkstemp(temporary);
+    int failed = descriptor < 0 ? errno : 0;
+    if (!failed) {
+        failed = write_all(descriptor, data, size);
+        if (!failed && fchmod(descriptor, target_mode(target)) != 0) failed = errno;
+        if (!failed && fsync(descriptor) != 0) failed = errno;
+        if (close(descriptor) != 0 && !failed) failed = errno;
+        if (!failed && rename(temporary, target) != 0) failed = errno;
+        if (failed) unlink(temporary);
+    }
+    free(temporary);
+    return failed;
+}
+
+bool file_replace(const char *path, const void *data, size_t size, Error *error) {
+    int failed;
+    if (file_is_special(path)) {
+        failed = write_in_place(path, data, size);
+    } else {
+        char *resolved = realpath(path, NULL); /* NULL when there is no such file yet */
+        failed = write_and_rename(resolved ? resolved : path, data, size);
+        free(resolved);
+    }
+    return failed ? output_error(path, failed, error) : true;
+}

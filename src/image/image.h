@@ -1,0 +1,58 @@
+/* A picture in memory: rows of linear RGBA float pixels, row 0 at the top. */
+#pragma once
+
+#include "base/error.h"
+#include "base/text.h"
+
+typedef struct Image {
+    int width, height;
+    float *rgba; /* 4 * width * height, owned; alpha is 1 where a sample was taken, else 0 */
+} Image;
+
+/* A zeroed picture. */
+Image image_create(int width, int height);
+void image_free(Image *image);
+
+/* One line of metadata. The name is an EXR attribute's, such as "magichour.seed". */
+typedef struct Attribute {
+    const char *name;
+    char *value; /* owned by the list */
+} Attribute;
+
+typedef struct AttributeList {
+    Attribute items[48];
+    int count;
+} AttributeList;
+
+void attribute_add(AttributeList *list, const char *name, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+void attribute_list_free(AttributeList *list);
+
+typedef enum Tone {
+    TONE_AUTHOR, /* the author's tone curve, Narkowicz's fit of ACES */
+    TONE_NONE    /* clamp at 1 */
+} Tone;
+
+/* How linear radiance becomes what a file holds. Zero is the default. */
+typedef struct ImageWriteParams {
+    double exposure_ev; /* display formats only: radiance is multiplied by 2^exposure */
+    Tone tone;          /* display formats only */
+    const AttributeList *attributes; /* may be NULL */
+} ImageWriteParams;
+
+/* Whether the path's extension (.exr, .png, .pfm) names a format that can be written; STATUS_USAGE if not.
+ * A device or pipe without an extension is given EXR. */
+MUST_CHECK bool image_check_path(const char *path, Error *error);
+
+/* Encodes by the path's extension and replaces the file (see file_replace). */
+MUST_CHECK bool image_write(const Image *image, const char *path, const ImageWriteParams *params, Error *error);
+
+/* Reads .exr or .pfm (told apart by content). Missing alpha becomes 1; a luminance-only file becomes grey. */
+MUST_CHECK bool image_read(Image *image, const char *path, Error *error);
+
+/* The formats, one file each. Encoders append the file's bytes to `out`. */
+MUST_CHECK bool exr_encode(const Image *image, const AttributeList *attributes, Text *out, Error *error);
+MUST_CHECK bool exr_read(Image *image, const char *path, Error *error);
+MUST_CHECK bool png_encode(const Image *image, const ImageWriteParams *params, Text *out, Error *error);
+void pfm_encode(const Image *image, Text *out);
+MUST_CHECK bool pfm_decode(Image *image, const char *path, const Text *file, Error *error);
