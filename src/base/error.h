@@ -6,12 +6,12 @@
 /* The program's exit statuses. */
 typedef enum Status {
     STATUS_DONE = 0,
-    STATUS_FAILURE = 1,     /* failure while running */
-    STATUS_USAGE = 2,       /* wrong command line */
-    STATUS_SCENE = 3,       /* scene or shader */
-    STATUS_NO_GL = 4,       /* no OpenGL context */
-    STATUS_OUTPUT = 5,      /* output not written */
-    STATUS_COMPARISON = 6,  /* `compare` past its bound */
+    STATUS_FAILURE = 1,      /* failure while running */
+    STATUS_USAGE = 2,        /* wrong command line */
+    STATUS_SCENE = 3,        /* scene or shader */
+    STATUS_NO_GL = 4,        /* no OpenGL context */
+    STATUS_OUTPUT = 5,       /* output not written */
+    STATUS_COMPARISON = 6,   /* `compare` past its bound */
     STATUS_INTERRUPTED = 130 /* interrupted, picture saved */
 } Status;
 

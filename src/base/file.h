@@ -6,8 +6,8 @@
 /* Appends the whole file to `text`. The error says why it could not be read, with `status`. */
 MUST_CHECK bool file_read(const char *path, Status status, Text *text, Error *error);
 
-/* Replaces the file at `path` by `size` bytes, at once or not at all: they go into a temporary file beside the
- * target, which is renamed when it is whole. A symbolic link stays one; a target that is no regular file
+/* Replaces the file at `path` by `size` bytes, at once or not at all: they go into a temporary file beside
+ * the target, which is renamed when it is whole. A symbolic link stays one; a target that is no regular file
  * (a device, a pipe) is written in place. Fails with STATUS_OUTPUT. */
 MUST_CHECK bool file_replace(const char *path, const void *data, size_t size, Error *error);
 

@@ -22,7 +22,8 @@ void *memory_get(size_t count, size_t size) {
 
 void *memory_grow(void *old, size_t count, size_t size) {
     if (size && count > SIZE_MAX / size) memory_out();
-    void *memory = realloc(old, count * size ? count * size : 1);
+    size_t bytes = count * size;
+    void *memory = realloc(old, bytes ? bytes : 1);
     if (!memory) memory_out();
     return memory;
 }

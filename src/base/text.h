@@ -17,7 +17,7 @@ const char *text_string(const Text *text); /* "" while empty */
 void text_free(Text *text);
 
 /* Allocation that cannot be survived is not: these end the program with a message when memory is out. */
-void *memory_get(size_t count, size_t size);          /* zeroed */
+void *memory_get(size_t count, size_t size);             /* zeroed */
 void *memory_grow(void *old, size_t count, size_t size); /* the new part is not zeroed */
 
 /* The whole of `text` as a finite number, "1e-3" or "-2.5"; false if it is anything else. */

@@ -19,8 +19,9 @@ typedef struct Attribute {
     char *value; /* owned by the list */
 } Attribute;
 
+/* A zeroed list is empty. */
 typedef struct AttributeList {
-    Attribute items[48];
+    Attribute *items; /* owned */
     int count;
 } AttributeList;
 
@@ -35,8 +36,8 @@ typedef enum Tone {
 
 /* How linear radiance becomes what a file holds. Zero is the default. */
 typedef struct ImageWriteParams {
-    double exposure_ev; /* display formats only: radiance is multiplied by 2^exposure */
-    Tone tone;          /* display formats only */
+    double exposure_ev;              /* display formats only: radiance is multiplied by 2^exposure */
+    Tone tone;                       /* display formats only */
     const AttributeList *attributes; /* may be NULL */
 } ImageWriteParams;
 
@@ -45,14 +46,21 @@ typedef struct ImageWriteParams {
 MUST_CHECK bool image_check_path(const char *path, Error *error);
 
 /* Encodes by the path's extension and replaces the file (see file_replace). */
-MUST_CHECK bool image_write(const Image *image, const char *path, const ImageWriteParams *params, Error *error);
+MUST_CHECK bool image_write(const Image *image, const char *path, const ImageWriteParams *params,
+                            Error *error);
 
-/* Reads .exr or .pfm (told apart by content). Missing alpha becomes 1; a luminance-only file becomes grey. */
+/* Reads .exr or .pfm (told apart by content). Missing alpha becomes 1; a luminance-only file becomes grey.
+ * Fails with STATUS_FAILURE and leaves an empty picture. */
 MUST_CHECK bool image_read(Image *image, const char *path, Error *error);
 
-/* The formats, one file each. Encoders append the file's bytes to `out`. */
+/* Decoders refuse more than this many columns, rows, or pixels in all: broken headers ask for anything. */
+#define IMAGE_SIDE_MAX 65536
+#define IMAGE_PIXELS_MAX (1L << 28)
+
+/* The formats, one file each. Encoders append the file's bytes to `out`; their errors do not know the path.
+ * Decoders take the whole file, with its path for the errors. */
 MUST_CHECK bool exr_encode(const Image *image, const AttributeList *attributes, Text *out, Error *error);
-MUST_CHECK bool exr_read(Image *image, const char *path, Error *error);
+MUST_CHECK bool exr_decode(Image *image, const char *path, const Text *file, Error *error);
 MUST_CHECK bool png_encode(const Image *image, const ImageWriteParams *params, Text *out, Error *error);
 void pfm_encode(const Image *image, Text *out);
 MUST_CHECK bool pfm_decode(Image *image, const char *path, const Text *file, Error *error);

@@ -1,0 +1,73 @@
+# magichour. The two commands: `make demo` and `make test`; both install what is missing first (tools/deps.sh).
+# MODE=asan builds with the address and undefined-behaviour sanitizers, into build/asan.
+
+MODE ?= release
+PREFIX ?= /usr/local
+BUILD := $(if $(filter release,$(MODE)),build,build/$(MODE))
+PKGS := OpenEXR libpng glfw3
+
+CC ?= cc
+CPPFLAGS += -Isrc -Itests -D_DEFAULT_SOURCE -D_POSIX_C_SOURCE=200809L
+WARNINGS := -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes -Wstrict-prototypes
+CFLAGS ?= -O2 -g
+ALL_CFLAGS = -std=c11 $(WARNINGS) $(CFLAGS) $(if $(filter asan,$(MODE)),-fsanitize=address$(comma)undefined -fno-sanitize-recover=all) $(shell pkg-config --cflags $(PKGS))
+LDLIBS = $(shell pkg-config --libs $(PKGS)) -ldl -lm
+comma := ,
+
+SOURCES := $(sort $(wildcard src/*.c src/*/*.c))
+OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
+LIBRARY := $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
+TESTS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_*.c))
+SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$(wildcard tests/*.c)))
+
+.PHONY: all demo test check lint format deps clean install FORCE
+.SECONDARY:
+
+all: $(BUILD)/magichour
+
+$(BUILD)/magichour: $(OBJECTS)
+	$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+$(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(SUPPORT) $(LIBRARY)
+	$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+
+$(BUILD)/%.o: %.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
+
+# Changed flags rebuild everything.
+$(BUILD)/flags: FORCE
+	@mkdir -p $(@D)
+	@echo '$(CC) $(CPPFLAGS) $(ALL_CFLAGS) $(LDFLAGS)' | cmp -s - $@ || echo '$(CC) $(CPPFLAGS) $(ALL_CFLAGS) $(LDFLAGS)' > $@
+
+demo:
+	tools/deps.sh build
+	$(MAKE) all
+	tools/demo.sh $(BUILD)/magichour out
+
+test:
+	tools/deps.sh build test
+	$(MAKE) check
+
+check: $(BUILD)/magichour $(TESTS)
+	tests/run.sh $(BUILD)
+
+lint:
+	tools/deps.sh build lint
+	tools/lint.sh
+
+format:
+	clang-format -i $$(git ls-files '*.c' '*.h')
+
+deps:
+	tools/deps.sh build test lint
+
+install: $(BUILD)/magichour
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/magichour
+	install $(BUILD)/magichour $(DESTDIR)$(PREFIX)/bin
+	cp -r glsl scenes $(DESTDIR)$(PREFIX)/share/magichour
+
+clean:
+	rm -rf build
+
+-include $(OBJECTS:.o=.d) $(TESTS:%=%.d) $(SUPPORT:.o=.d)

@@ -1,0 +1,9 @@
+// --light paper: the author's bounce. Not Lambert's: the lobe is 2 cos^3 / pi, so pictures converge to their own.
+#include "light/path.glsl"
+#include "math/sphere_sample.glsl"
+
+// Toward the normal's tip plus a uniform point in the unit ball: density 2 cos^3 / pi, mean cosine 0.8.
+vec3 matte_direction(vec3 normal, vec2 u, vec2 v) {
+    float radius = 0.999999 * pow(v.x, 1.0 / 3.0);
+    return normalize(normal + radius * sphere_sample(u));
+}

@@ -1,0 +1,41 @@
+// The path: rays bounce in the scene, without air between the hits, and whoever escapes brings the sky's radiance back.
+#include "scene.glsl"
+
+void scene_intersect(Ray ray, INOUT(Hit) hit);
+Material scene_material(Hit hit);
+Bounce material_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
+vec3 sky_radiance(vec3 direction);
+
+// Russian roulette from this hit on; a survival below 1 ends even the paths that lose nothing.
+const int ROULETTE_HITS = 4;
+const float ROULETTE_SURVIVAL = 0.95;
+
+// Radiance that comes back along `ray`, with at most `max_hits` surface hits. The sky is asked once, after the loop,
+// where all of a picture's neighbours ask together.
+vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
+    vec3 throughput = vec3(1.0);
+    int hits = 0;
+    bool alive = true;
+    do {
+        Hit hit = hit_none();
+        scene_intersect(ray, hit);
+        alive = hit.t < INFINITY;
+        if (alive && hits == max_hits) throughput = vec3(0.0);
+        alive = alive && hits < max_hits;
+        if (alive) {
+            hit.position = ray.origin + hit.t * ray.direction;
+            hit.normal = dot(hit.normal, ray.direction) > 0.0 ? -hit.normal : hit.normal;
+            vec2 u = sequence_pair(sequence);
+            vec2 v = sequence_pair(sequence);
+            Bounce bounce = material_sample(scene_material(hit), hit.normal, ray.direction, u, v);
+            throughput *= bounce.weight;
+            ray = ray_from(hit, bounce.direction);
+            hits += 1;
+            float brightest = max(throughput.x, max(throughput.y, throughput.z));
+            float survival = hits < ROULETTE_HITS ? 1.0 : min(brightest, ROULETTE_SURVIVAL);
+            alive = v.y < survival && brightest > 0.0;
+            throughput = alive ? throughput / survival : vec3(0.0);
+        }
+    } while (alive);
+    return throughput * sky_radiance(ray.direction);
+}

@@ -1,0 +1,26 @@
+// The film's side of a pass: takes in one group of samples per pixel. See src/gl/film.h for what the textures hold.
+uniform sampler2D film_sum;
+uniform sampler2D film_rest;
+uniform uint film_zero; // 0, which the compiler cannot know
+
+layout(location = 0) out vec4 film_sum_next;
+layout(location = 1) out vec4 film_rest_next;
+
+// The same number, in a way that no compiler sees through: without it (a + b) - a may be simplified to b, and what an
+// addition rounded away would be lost.
+vec3 film_opaque(vec3 v) {
+    return uintBitsToFloat(floatBitsToUint(v) ^ uvec3(film_zero));
+}
+
+// `group`: the radiance of the accepted samples summed, and in alpha their number.
+void film_add(vec4 group, float rejected) {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 sum = texelFetch(film_sum, pixel, 0);
+    vec4 rest = texelFetch(film_rest, pixel, 0);
+    // Knuth's exact sum: next + rounded_off is sum + group to the last bit.
+    vec3 next = film_opaque(sum.rgb + group.rgb);
+    vec3 added = film_opaque(next - sum.rgb);
+    vec3 rounded_off = (sum.rgb - film_opaque(next - added)) + (group.rgb - added);
+    film_sum_next = vec4(next, sum.a + group.a);
+    film_rest_next = vec4(rest.rgb + rounded_off, rest.a + rejected);
+}

@@ -1,0 +1,43 @@
+// The words that a scene, the materials and the passes share. A scene defines
+//
+//     void scene_intersect(Ray ray, INOUT(Hit) hit)    nearest hit, by hit_sphere(), hit_plane() ... from shape/
+//     Material scene_material(Hit hit)                 what is there, by matte(), mirror() ... from material/
+//
+// World: metres, right-handed, y up.
+#include "math/dialect.glsl"
+
+struct Ray {
+    vec3 origin;
+    vec3 direction; // unit length
+};
+
+// A shape's function hit_NAME() takes the nearest hit so far and replaces it by its own if that is nearer.
+struct Hit {
+    float t;       // distance along the ray, m; INFINITY is no hit
+    vec3 position; // filled by the path tracer before scene_material()
+    vec3 normal;   // unit length; faces the ray's origin by the time scene_material() sees it
+    int object;    // the number that the scene gave to the shape
+};
+
+struct Material {
+    int kind;   // MATERIAL_NAME of the file material/name.glsl
+    vec3 color; // albedo, or tint of a mirror
+};
+
+// Where a path goes on, and what it is worth: f cos / pdf.
+struct Bounce {
+    vec3 direction;
+    vec3 weight;
+};
+
+Hit hit_none() {
+    return Hit(INFINITY, vec3(0.0), vec3(0.0), -1);
+}
+
+// The ray that leaves a hit. Its origin is lifted off the surface along the normal, by a step in proportion to the
+// coordinates that the hit was computed from: 32 float roundings, of which the hit itself has a few.
+Ray ray_from(Hit hit, vec3 direction) {
+    vec3 size = abs(hit.position);
+    float lift = 2.0e-6 * (max(max(size.x, size.y), size.z) + hit.t);
+    return Ray(hit.position + lift * hit.normal, direction);
+}

@@ -1,0 +1,99 @@
+#include "cmd/cmd.h"
+#include "cmd/setup.h"
+#include "gl/context.h"
+#include "render/method.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static void print_backend(const Backend *backend) {
+    Context context;
+    Error error;
+    if (!context_open(&context, backend->name, &error)) {
+        printf("  %-8s refused: %s\n", backend->name, error.text);
+        return;
+    }
+    printf("  %-8s %s, OpenGL %s, textures up to %d (%s)\n", backend->name, context.renderer, context.version,
+           context.max_texture_size, context.detail);
+    context_close(&context);
+}
+
+static void print_methods(void) {
+    static const char *const titles[METHOD_FAMILIES] = {"--sky", "--light", "--sequence"};
+    for (int family = 0; family < METHOD_FAMILIES; family++) {
+        printf("%s (auto: %s)\n", titles[family], method_default((MethodFamily)family));
+        for (int i = 0; method_get(i); i++) {
+            const Method *method = method_get(i);
+            if ((int)method->family == family) printf("  %-8s %s\n", method->name, method->about);
+        }
+    }
+}
+
+static void print_values(const double *values, int count) {
+    for (int i = 0; i < count; i++) printf("%s%.9g", i ? "," : "", values[i]);
+}
+
+static void print_atmosphere(const Atmosphere *atmosphere) {
+    for (int i = 0; atmosphere_field(i); i++) {
+        const AtmosphereField *field = atmosphere_field(i);
+        printf("  atmosphere.%s = ", field->name);
+        print_values(atmosphere_value(atmosphere, field), field->count);
+        printf("  (%g to %g; %s)\n", field->min, field->max, field->description);
+    }
+}
+
+static void print_scene(const Scene *scene) {
+    printf("%s: %s\n", scene->path, scene->title[0] ? scene->title : "untitled");
+    if (scene->look[0]) printf("  look for: %s\n", scene->look);
+    printf("  size %dx%d, sun elevation %g azimuth %g, exposure %g EV%s%s\n", scene->width, scene->height,
+           scene->sun_elevation_deg, scene->sun_azimuth_deg, scene->exposure_ev,
+           scene->sky[0] ? ", sky " : "", scene->sky);
+    for (int i = 0; i < scene->parameter_count; i++) {
+        const Parameter *p = &scene->parameters[i];
+        printf("  --set %s=", p->name);
+        print_values(p->value, p->type == PARAMETER_COLOR ? 3 : 1);
+        printf("  (%g to %g%s%s; %s)\n", p->min, p->max, p->unit[0] ? " " : "", p->unit,
+               p->label[0] ? p->label : "no label");
+    }
+    for (int i = 0; i < scene->preset_count; i++) {
+        const Preset *preset = &scene->presets[i];
+        printf("  --preset %s:", preset->name);
+        for (int s = 0; s < preset->setting_count; s++) {
+            printf(" %s=%s", preset->settings[s].name, preset->settings[s].value);
+        }
+        printf("\n");
+    }
+    print_atmosphere(&scene->atmosphere);
+}
+
+static bool print_backends(const Options *options, Error *error) {
+    bool all = !options->backend || strcmp(options->backend, "auto") == 0, found = false;
+    printf("backends, in the order that auto tries\n");
+    for (int i = 0; context_backend(i); i++) {
+        const Backend *backend = context_backend(i);
+        if (!all && strcmp(backend->name, options->backend) != 0) continue;
+        print_backend(backend);
+        found = true;
+    }
+    return found || error_set(error, STATUS_USAGE, "unknown backend '%s'", options->backend);
+}
+
+Status cmd_info(const Options *options, Error *error) {
+    if (options->input_count) {
+        Scene scene;
+        if (!setup_scene(options, &scene, error)) return error->status;
+        print_scene(&scene);
+        scene_destroy(&scene);
+        return STATUS_DONE;
+    }
+    printf("magichour %s\n", MAGICHOUR_VERSION);
+    if (!print_backends(options, error)) return error->status;
+    print_methods();
+    printf("atmospheres\n");
+    for (int i = 0; atmosphere_preset(i); i++) {
+        printf("  %-20s %s\n", atmosphere_preset(i)->name, atmosphere_preset(i)->source);
+    }
+    printf("settings of the atmosphere, values of %s\n", atmosphere_preset(0)->name);
+    print_atmosphere(&atmosphere_preset(0)->atmosphere);
+    return STATUS_DONE;
+}

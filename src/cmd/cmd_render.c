@@ -1,0 +1,204 @@
+#include "base/file.h"
+#include "cmd/cmd.h"
+#include "cmd/interrupt.h"
+#include "cmd/progress.h"
+#include "cmd/setup.h"
+#include "image/image.h"
+#include "render/renderer.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { DEFAULT_SAMPLES = 64 };
+
+typedef struct Job {
+    const Options *options;
+    char *library;
+    Scene scene;
+    Context context;
+    Renderer renderer;
+    Image image;
+    FilmCount count;
+    ProgressFigures figures;
+} Job;
+
+static double now(void) {
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static bool check_outputs(const Options *options, Error *error) {
+    if (!options->output_count)
+        return error_set(error, STATUS_USAGE, "where to? (-o FILE.exr, .png or .pfm)");
+    for (int i = 0; i < options->output_count; i++) {
+        if (!image_check_path(options->outputs[i], error)) return false;
+    }
+    for (int i = 0; i < options->output_count; i++) {
+        if (!file_check_target(options->outputs[i], error)) return false;
+    }
+    return true;
+}
+
+static bool prepare(Job *job, Error *error) {
+    const Options *options = job->options;
+    if (!check_outputs(options, error) || !setup_library(options, &job->library, error) ||
+        !setup_scene(options, &job->scene, error)) {
+        return false;
+    }
+    if (options->width && !scene_check_size(options->width, options->height, error)) return false;
+    RenderParams params = {.scene = &job->scene,
+                           .library = job->library,
+                           .sky = options->sky,
+                           .light = options->light,
+                           .sequence = options->sequence,
+                           .width = options->width,
+                           .height = options->height,
+                           .seed = options->seed,
+                           .max_hits = options->depth};
+    return context_open(&job->context, options->backend, error) &&
+           renderer_create(&job->renderer, &job->context, &params, error);
+}
+
+static bool enough(const ProgressFigures *figures) {
+    if (figures->target_samples && figures->samples >= figures->target_samples) return true;
+    return figures->target_seconds > 0 && figures->seconds >= figures->target_seconds;
+}
+
+static bool render(Job *job, Error *error) {
+    const Film *film = &job->renderer.film;
+    const Options *options = job->options;
+    ProgressFigures *figures = &job->figures;
+    Progress progress = progress_start(options);
+    uint64_t pixels = (uint64_t)film->width * (uint64_t)film->height;
+    figures->target_samples = options->samples       ? options->samples
+                              : options->seconds > 0 ? 0
+                                                     : DEFAULT_SAMPLES;
+    figures->target_seconds = options->seconds;
+    double start = now();
+    while (!enough(figures) && !interrupt_requested()) {
+        uint64_t most = figures->target_samples ? figures->target_samples : UINT32_MAX;
+        if (film->samples >= most) break;
+        if (!renderer_pass(&job->renderer, most - film->samples, interrupt_requested, error)) return false;
+        figures->samples = film->samples;
+        figures->paths = film->samples * pixels;
+        figures->seconds = now() - start;
+        progress_report(&progress, figures);
+    }
+    if (!film_read(film, &job->image, &job->count, error)) return false;
+    figures->paths =
+        job->count.accepted + job->count.rejected; /* fewer than samples x pixels if stopped early */
+    figures->rejected = job->count.rejected;
+    figures->interrupted = interrupt_requested();
+    figures->done = true;
+    progress_report(&progress, figures);
+    return true;
+}
+
+static void describe(const Job *job, int argc, char **argv, AttributeList *list) {
+    const Scene *scene = &job->scene;
+    const Renderer *renderer = &job->renderer;
+    Text command = {0};
+    for (int i = 0; i < argc; i++) text_print(&command, "%s%s", i ? " " : "", argv[i]);
+    attribute_add(list, "software", "magichour %s", MAGICHOUR_VERSION);
+    attribute_add(list, "command", "%s", text_string(&command));
+    attribute_add(list, "scene", "%s", scene->path);
+    for (int i = 0; i < scene->parameter_count; i++) {
+        const Parameter *p = &scene->parameters[i];
+        char name[80];
+        snprintf(name, sizeof name, "parameter.%.20s", p->name);
+        if (p->type == PARAMETER_COLOR) {
+            attribute_add(list, strdup(name), "%.9g,%.9g,%.9g", p->value[0], p->value[1], p->value[2]);
+        } else {
+            attribute_add(list, strdup(name), "%.9g", p->value[0]);
+        }
+    }
+    attribute_add(list, "sun", "elevation %.9g azimuth %.9g degrees", scene->sun_elevation_deg,
+                  scene->sun_azimuth_deg);
+    attribute_add(list, "sky", "%s", renderer->sky.text);
+    attribute_add(list, "light", "%s", renderer->light.text);
+    attribute_add(list, "sequence", "%s", renderer->sequence.text);
+    if (job->options->depth) attribute_add(list, "depth", "%d", job->options->depth);
+    if (!job->options->depth) attribute_add(list, "depth", "unlimited");
+    attribute_add(list, "seed", "%u", renderer->seed);
+    attribute_add(list, "samples", "%" PRIu64, renderer->film.samples);
+    attribute_add(list, "rejected", "%" PRIu64, job->count.rejected);
+    attribute_add(list, "seconds", "%.6f", job->figures.seconds);
+    attribute_add(list, "backend", "%s, %s", job->context.backend->name, job->context.detail);
+    attribute_add(list, "renderer", "%s", job->context.renderer);
+    attribute_add(list, "version", "%s", job->context.version);
+    text_free(&command);
+}
+
+static bool write_outputs(const Job *job, int argc, char **argv, Error *error) {
+    const Options *options = job->options;
+    AttributeList attributes = {0};
+    bool ok = true;
+    describe(job, argc, argv, &attributes);
+    ImageWriteParams params = {.exposure_ev = job->scene.exposure_ev,
+                               .tone = options->tone && strcmp(options->tone, "none") == 0 ? TONE_NONE
+                                                                                           : TONE_AUTHOR,
+                               .attributes = &attributes};
+    for (int i = 0; ok && i < options->output_count; i++) {
+        ok = image_write(&job->image, options->outputs[i], &params, error);
+    }
+    attribute_list_free(&attributes);
+    return ok;
+}
+
+static void say_choices(const Job *job) {
+    const Renderer *renderer = &job->renderer;
+    fprintf(stderr, "backend %s (%s): %s, OpenGL %s\n", job->context.backend->name, job->context.detail,
+            job->context.renderer, job->context.version);
+    fprintf(stderr, "sky %s, light %s, sequence %s, at most %d hits, groups of %u samples\n",
+            renderer->sky.text, renderer->light.text, renderer->sequence.text, renderer->max_hits,
+            renderer->group_samples);
+    fprintf(stderr, "compiled: %s\n", renderer->source_files);
+}
+
+static void say_summary(const Job *job) {
+    const ProgressFigures *figures = &job->figures;
+    for (int i = 0; i < job->options->output_count; i++)
+        printf("%s%s", i ? ", " : "", job->options->outputs[i]);
+    printf(": %" PRIu64 " samples, %.4g Mpaths in %.2f s, %.2f Mpaths/s (and %.2f s to start)\n",
+           figures->samples, 1e-6 * (double)figures->paths, figures->seconds,
+           1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), figures->startup_seconds);
+}
+
+static void release(Job *job) {
+    image_free(&job->image);
+    renderer_destroy(&job->renderer);
+    context_close(&job->context);
+    scene_destroy(&job->scene);
+    free(job->library);
+}
+
+Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
+    double start = now();
+    Job job = {.options = options};
+    error->status = STATUS_DONE;
+    interrupt_install();
+    bool ok = prepare(&job, error);
+    if (ok) {
+        job.figures.startup_seconds = now() - start;
+        if (options->verbose) say_choices(&job);
+        ok = render(&job, error) && write_outputs(&job, argc, argv, error);
+    }
+    if (ok) {
+        if (!options->quiet) say_summary(&job);
+        if (job.figures.rejected) {
+            fprintf(stderr,
+                    "magichour: warning: %" PRIu64 " of %" PRIu64
+                    " samples were not finite and are left out\n",
+                    job.figures.rejected, job.figures.paths);
+        }
+    }
+    bool interrupted = job.figures.interrupted;
+    release(&job);
+    if (!ok) return error->status;
+    return interrupted ? STATUS_INTERRUPTED : STATUS_DONE;
+}

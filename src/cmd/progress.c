@@ -1,0 +1,69 @@
+#include "cmd/progress.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+Progress progress_start(const Options *options) {
+    Progress progress = {.kind = PROGRESS_NONE, .last = -1};
+    if (options->progress) {
+        if (strcmp(options->progress, "tty") == 0) progress.kind = PROGRESS_TTY;
+        if (strcmp(options->progress, "json") == 0) progress.kind = PROGRESS_JSON;
+    } else if (!options->quiet && isatty(STDERR_FILENO)) {
+        progress.kind = PROGRESS_TTY;
+    }
+    return progress;
+}
+
+static int terminal_columns(void) {
+    struct winsize size;
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+static double seconds_left(const ProgressFigures *figures) {
+    double left = INFINITY;
+    if (figures->target_samples && figures->samples) {
+        left = figures->seconds * ((double)figures->target_samples / (double)figures->samples - 1);
+    }
+    if (figures->target_seconds > 0) left = fmin(left, figures->target_seconds - figures->seconds);
+    return fmax(left, 0);
+}
+
+static void report_terminal(Progress *progress, const ProgressFigures *figures) {
+    if (figures->done) {
+        if (progress->line) fputs("\r\033[K", stderr);
+        return;
+    }
+    char line[160], target[32] = "";
+    if (figures->target_samples) snprintf(target, sizeof target, " of %" PRIu64, figures->target_samples);
+    snprintf(line, sizeof line, "%" PRIu64 "%s samples, %.1f Mpaths/s, %.0f s left", figures->samples, target,
+             1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), ceil(seconds_left(figures)));
+    /* Cut to the window, or the line would wrap and scroll at each report. */
+    fprintf(stderr, "\r%.*s\033[K", terminal_columns() - 1, line);
+    progress->line = true;
+}
+
+static void report_json(const ProgressFigures *figures) {
+    fprintf(stderr,
+            "{\"done\": %s, \"samples\": %" PRIu64 ", \"paths\": %" PRIu64 ", \"seconds\": %.6f, "
+            "\"startup_seconds\": %.6f, \"paths_per_s\": %.6g",
+            figures->done ? "true" : "false", figures->samples, figures->paths, figures->seconds,
+            figures->startup_seconds, (double)figures->paths / fmax(figures->seconds, 1e-9));
+    if (figures->done) {
+        fprintf(stderr, ", \"rejected\": %" PRIu64 ", \"interrupted\": %s", figures->rejected,
+                figures->interrupted ? "true" : "false");
+    }
+    fputs("}\n", stderr);
+}
+
+void progress_report(Progress *progress, const ProgressFigures *figures) {
+    if (progress->kind == PROGRESS_NONE) return;
+    if (!figures->done && figures->seconds - progress->last < 0.1) return;
+    progress->last = figures->seconds;
+    if (progress->kind == PROGRESS_TTY) report_terminal(progress, figures);
+    if (progress->kind == PROGRESS_JSON) report_json(figures);
+    fflush(stderr);
+}

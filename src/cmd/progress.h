@@ -1,0 +1,29 @@
+/* How far a rendering is: a line on a terminal, or JSON lines, on standard error. */
+#pragma once
+
+#include "base/options.h"
+
+#include <stdint.h>
+
+typedef enum ProgressKind { PROGRESS_NONE, PROGRESS_TTY, PROGRESS_JSON } ProgressKind;
+
+typedef struct Progress {
+    ProgressKind kind;
+    double last; /* seconds at the last report */
+    bool line;   /* an unfinished line stands on the terminal */
+} Progress;
+
+/* One report's figures; times in seconds. */
+typedef struct ProgressFigures {
+    uint64_t samples, target_samples; /* a pixel; target 0 if only time limits */
+    uint64_t paths;
+    double seconds, target_seconds; /* target 0 if only samples limit */
+    double startup_seconds;
+    uint64_t rejected;
+    bool done, interrupted;
+} ProgressFigures;
+
+Progress progress_start(const Options *options);
+
+/* Reports at most ten times a second, and always when done. */
+void progress_report(Progress *progress, const ProgressFigures *figures);

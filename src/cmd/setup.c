@@ -1,0 +1,71 @@
+#include "cmd/setup.h"
+
+#include "base/text.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char landmark[] = "pass/trace.glsl";
+
+static char *library_in(const char *folder, const char *name) {
+    Text path = {0};
+    text_print(&path, "%s/%s", folder, name);
+    size_t length = path.size;
+    text_print(&path, "/%s", landmark);
+    if (access(text_string(&path), R_OK) != 0) {
+        text_free(&path);
+        return NULL;
+    }
+    path.data[length] = 0;
+    return path.data;
+}
+
+bool setup_library(const Options *options, char **library, Error *error) {
+    if (options->glsl_dir) {
+        *library = library_in(options->glsl_dir, ".");
+        free(*library);
+        if (!*library) {
+            return error_set(error, STATUS_USAGE, "--glsl-dir %s: no %s there", options->glsl_dir, landmark);
+        }
+        *library = strdup(options->glsl_dir);
+        return true;
+    }
+    char folder[4096];
+    ssize_t length = readlink("/proc/self/exe", folder, sizeof folder - 1);
+    folder[length > 0 ? length : 0] = 0;
+    for (char *slash = strrchr(folder, '/'); slash; slash = strrchr(folder, '/')) {
+        *slash = 0;
+        *library = library_in(folder, "glsl");
+        if (!*library) *library = library_in(folder, "share/magichour/glsl");
+        if (*library) return true;
+    }
+    return error_set(error, STATUS_FAILURE,
+                     "the GLSL library is not near the program; name it with --glsl-dir");
+}
+
+static bool apply_settings(const Options *options, Scene *scene, Error *error) {
+    for (int i = 0; i < options->setting_count; i++) {
+        const char *equals = strchr(options->settings[i], '=');
+        char *name = strndup(options->settings[i], (size_t)(equals - options->settings[i]));
+        bool ok = scene_set(scene, name, equals + 1, error);
+        free(name);
+        if (!ok) return error_prefix(error, "--set ");
+    }
+    return true;
+}
+
+bool setup_scene(const Options *options, Scene *scene, Error *error) {
+    if (!scene_read(scene, options->inputs[0], error)) return false;
+    if (options->preset && !scene_choose_preset(scene, options->preset, error)) goto fail;
+    if (options->atmosphere && !atmosphere_choose(&scene->atmosphere, options->atmosphere, error)) goto fail;
+    if (options->has_sun) scene->sun_elevation_deg = options->sun_elevation_deg;
+    if (options->has_azimuth) scene->sun_azimuth_deg = options->sun_azimuth_deg;
+    if (options->has_exposure) scene->exposure_ev = options->exposure_ev;
+    if (!apply_settings(options, scene, error) || !scene_check(scene, error)) goto fail;
+    return true;
+fail:
+    scene_destroy(scene);
+    return false;
+}

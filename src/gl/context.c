@@ -1,0 +1,70 @@
+#include "gl/context.h"
+
+#include "base/text.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const Backend *const backends[] = {&backend_egl, &backend_osmesa, &backend_glfw};
+
+const Backend *context_backend(int index) {
+    return index >= 0 && index < (int)(sizeof backends / sizeof *backends) ? backends[index] : NULL;
+}
+
+static bool describe(Context *context, Error *error) {
+    const GlApi *gl = &context->gl;
+    GLint major = 0, minor = 0;
+    gl->GetIntegerv(GL_MAJOR_VERSION, &major);
+    gl->GetIntegerv(GL_MINOR_VERSION, &minor);
+    const char *renderer = (const char *)gl->GetString(GL_RENDERER);
+    const char *version = (const char *)gl->GetString(GL_VERSION);
+    snprintf(context->renderer, sizeof context->renderer, "%s", renderer ? renderer : "unknown");
+    snprintf(context->version, sizeof context->version, "%s", version ? version : "unknown");
+    if (major * 10 + minor < 33) {
+        return error_set(error, STATUS_NO_GL, "OpenGL 3.3 is needed, %s is what it has", context->version);
+    }
+    gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &context->max_texture_size);
+    gl->GenVertexArrays(1, &context->vertex_array);
+    gl->BindVertexArray(context->vertex_array);
+    return gl_check(gl, "new context", error);
+}
+
+static bool open_backend(Context *context, const Backend *backend, Error *error) {
+    GlProc (*getproc)(const char *) = NULL;
+    *context = (Context){.backend = backend};
+    if (backend->open(context, &getproc, error) && gl_api_load(&context->gl, getproc, error) &&
+        describe(context, error)) {
+        return true;
+    }
+    error->status = STATUS_NO_GL;
+    context_close(context);
+    return false;
+}
+
+bool context_open(Context *context, const char *name, Error *error) {
+    bool automatic = !name || strcmp(name, "auto") == 0;
+    Text known = {0}, reasons = {0};
+    bool opened = false, found = false;
+    for (int i = 0; context_backend(i) && !opened; i++) {
+        const Backend *backend = context_backend(i);
+        text_print(&known, ", %s", backend->name);
+        if (!automatic && strcmp(name, backend->name) != 0) continue;
+        found = true;
+        opened = open_backend(context, backend, error);
+        if (!opened) text_print(&reasons, "%s%s: %s", reasons.size ? "; " : "", backend->name, error->text);
+    }
+    if (!found) {
+        error_set(error, STATUS_USAGE, "unknown backend '%s' (known: auto%s)", name, text_string(&known));
+    } else if (!opened) {
+        error_set(error, STATUS_NO_GL, "no OpenGL context: %s", text_string(&reasons));
+    }
+    text_free(&known);
+    text_free(&reasons);
+    return opened;
+}
+
+void context_close(Context *context) {
+    if (context->vertex_array) context->gl.DeleteVertexArrays(1, &context->vertex_array);
+    if (context->backend) context->backend->close(context);
+    *context = (Context){0};
+}

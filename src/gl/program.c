@@ -1,0 +1,101 @@
+#include "gl/program.h"
+
+#include "base/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* One triangle that covers the viewport: (-1,-1), (3,-1), (-1,3). */
+static const char vertex_source[] =
+    "#version 330 core\n"
+    "void main() {\n"
+    "    vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);\n"
+    "    gl_Position = vec4(corner, 0.0, 1.0);\n"
+    "}\n";
+
+static GLuint compile(const GlApi *gl, GLenum stage, const char *source, Text *log) {
+    GLuint shader = gl->CreateShader(stage);
+    GLint ok = 0, length = 0;
+    gl->ShaderSource(shader, 1, &source, NULL);
+    gl->CompileShader(shader);
+    gl->GetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (ok) return shader;
+    gl->GetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    char *words = memory_get((size_t)length + 1, 1);
+    gl->GetShaderInfoLog(shader, length + 1, NULL, words);
+    text_append(log, words, strlen(words));
+    free(words);
+    gl->DeleteShader(shader);
+    return 0;
+}
+
+static bool link_program(const GlApi *gl, GLuint program, Text *log) {
+    GLint ok = 0, length = 0;
+    gl->LinkProgram(program);
+    gl->GetProgramiv(program, GL_LINK_STATUS, &ok);
+    if (ok) return true;
+    gl->GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+    char *words = memory_get((size_t)length + 1, 1);
+    gl->GetProgramInfoLog(program, length + 1, NULL, words);
+    text_append(log, words, strlen(words));
+    free(words);
+    return false;
+}
+
+bool program_create(Program *program, const GlApi *gl, const GlslSource *fragment, Error *error) {
+    Text log = {0};
+    bool linked = false;
+    *program = (Program){.gl = gl};
+    GLuint vertex_shader = compile(gl, GL_VERTEX_SHADER, vertex_source, &log);
+    GLuint fragment_shader = compile(gl, GL_FRAGMENT_SHADER, text_string(&fragment->text), &log);
+    if (vertex_shader && fragment_shader) {
+        program->id = gl->CreateProgram();
+        gl->AttachShader(program->id, vertex_shader);
+        gl->AttachShader(program->id, fragment_shader);
+        linked = link_program(gl, program->id, &log);
+    }
+    if (vertex_shader) gl->DeleteShader(vertex_shader);
+    if (fragment_shader) gl->DeleteShader(fragment_shader);
+    if (!linked) {
+        glsl_source_explain(fragment, text_string(&log), error);
+        program_destroy(program);
+    }
+    text_free(&log);
+    return linked;
+}
+
+void program_destroy(Program *program) {
+    if (program->id) program->gl->DeleteProgram(program->id);
+    *program = (Program){0};
+}
+
+void program_use(const Program *program) {
+    program->gl->UseProgram(program->id);
+}
+
+static GLint locate(const Program *program, const char *name) {
+    return program->gl->GetUniformLocation(program->id, name);
+}
+
+void program_set_float(const Program *program, const char *name, double value) {
+    program->gl->Uniform1f(locate(program, name), (float)value);
+}
+
+void program_set_int(const Program *program, const char *name, int value) {
+    program->gl->Uniform1i(locate(program, name), value);
+}
+
+void program_set_uint(const Program *program, const char *name, unsigned value) {
+    program->gl->Uniform1ui(locate(program, name), value);
+}
+
+void program_set_vec3(const Program *program, const char *name, const double value[3]) {
+    program->gl->Uniform3f(locate(program, name), (float)value[0], (float)value[1], (float)value[2]);
+}
+
+void program_draw(const Program *program, int width, int row, int rows) {
+    program->gl->Enable(GL_SCISSOR_TEST);
+    program->gl->Scissor(0, row, width, rows);
+    program->gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    program->gl->Disable(GL_SCISSOR_TEST);
+}

@@ -1,0 +1,27 @@
+/* A fragment program drawn on one full-screen triangle. */
+#pragma once
+
+#include "gl/context.h"
+#include "scene/glsl_source.h"
+
+typedef struct Program {
+    const GlApi *gl;
+    GLuint id;
+} Program;
+
+/* Compiles and links. GLSL errors come back as STATUS_SCENE with "file:line: the driver's words", the first
+ * one first and up to a few more lines after it. */
+MUST_CHECK bool program_create(Program *program, const GlApi *gl, const GlslSource *fragment, Error *error);
+void program_destroy(Program *program);
+
+void program_use(const Program *program);
+
+/* Set a uniform of the program in use. A name that the compiler dropped, or that never was, is no error: a
+ * pass offers what it has, a shader takes what it needs. */
+void program_set_float(const Program *program, const char *name, double value);
+void program_set_int(const Program *program, const char *name, int value);
+void program_set_uint(const Program *program, const char *name, unsigned value);
+void program_set_vec3(const Program *program, const char *name, const double value[3]);
+
+/* Draws the triangle on the bound framebuffer, rows [row, row + rows) of a `width` wide target. */
+void program_draw(const Program *program, int width, int row, int rows);

@@ -1,0 +1,110 @@
+#include "image/image.h"
+
+#include <math.h>
+#include <png.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+/* To [0,1]. Negative and NaN become 0, +inf 1. */
+static double tone_apply(Tone tone, double x) {
+    if (!(x > 0)) return 0;
+    if (tone == TONE_NONE) return fmin(x, 1);
+    x = fmin(x, 1e6); /* far above the curve's end, and its square is finite */
+    return fmin(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1);
+}
+
+/* IEC 61966-2-1. */
+static double srgb_from_linear(double v) {
+    return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1 / 2.4) - 0.055;
+}
+
+/* "lowbias32" by Chris Wellons: every bit of the input changes each bit of the result half of the time. */
+static uint32_t hash(uint32_t x) {
+    x ^= x >> 16;
+    x *= 0x7feb352dU;
+    x ^= x >> 15;
+    x *= 0x846ca68bU;
+    return x ^ x >> 16;
+}
+
+/* Rounds v in [0,1] to 0..255, up as often as its fraction says: the mean over an area is right, and no bands
+ * show. 0 and 1 have no fraction: they stay. */
+static png_byte dither(double v, int x, int y, int channel) {
+    uint32_t random = hash((uint32_t)x + hash((uint32_t)y + hash((uint32_t)channel + 1)));
+    return (png_byte)fmin(255 * v + random * 0x1p-32, 255);
+}
+
+static void row_convert(const Image *image, int y, const ImageWriteParams *params, png_byte *row) {
+    double gain = exp2(params->exposure_ev);
+    const float *pixel = image->rgba + 4 * (size_t)y * (size_t)image->width;
+    for (int x = 0; x < image->width; x++, pixel += 4) {
+        for (int c = 0; c < 3; c++) {
+            double shown = srgb_from_linear(tone_apply(params->tone, gain * (double)pixel[c]));
+            *row++ = dither(shown, x, y, c);
+        }
+    }
+}
+
+static _Noreturn void png_fail(png_structp png, png_const_charp message) {
+    error_set(png_get_error_ptr(png), STATUS_OUTPUT, "PNG: %s", message);
+    png_longjmp(png, 1);
+}
+
+/* Without this, libpng prints warnings. */
+static void png_ignore(png_structp png, png_const_charp message) {
+    (void)png;
+    (void)message;
+}
+
+static void bytes_append(png_structp png, png_bytep bytes, size_t size) {
+    text_append(png_get_io_ptr(png), bytes, size);
+}
+
+static void bytes_flush(png_structp png) {
+    (void)png;
+}
+
+static void attributes_set(png_structp png, png_infop info, const AttributeList *attributes) {
+    for (int i = 0; attributes && i < attributes->count; i++) {
+        /* The other kinds of text are Latin-1. Keys and texts are copied; the type is not const. */
+        png_text text = {.compression = PNG_ITXT_COMPRESSION_NONE,
+                         .key = (png_charp)attributes->items[i].name,
+                         .text = attributes->items[i].value};
+        png_set_text(png, info, &text, 1);
+    }
+}
+
+/* False after png_fail. On its own, as the variables of a function that calls setjmp are not to be relied on.
+ */
+static bool png_run(png_structp png, png_infop info, const Image *image, const ImageWriteParams *params,
+                    png_byte *row) {
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_set_IHDR(png, info, (png_uint_32)image->width, (png_uint_32)image->height, 8, PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    attributes_set(png, info, params->attributes);
+    png_write_info(png, info);
+    for (int y = 0; y < image->height; y++) {
+        row_convert(image, y, params, row);
+        png_write_row(png, row);
+    }
+    png_write_end(png, NULL);
+    return true;
+}
+
+bool png_encode(const Image *image, const ImageWriteParams *params, Text *out, Error *error) {
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, error, png_fail, png_ignore);
+    png_infop info = png ? png_create_info_struct(png) : NULL;
+    bool encoded = false;
+    if (info) {
+        png_byte *row = memory_get((size_t)image->width, 3);
+        png_set_write_fn(png, out, bytes_append, bytes_flush);
+        encoded = png_run(png, info, image, params, row);
+        free(row);
+    } else {
+        error_set(error, STATUS_OUTPUT, "PNG: libpng cannot be started");
+    }
+    png_destroy_write_struct(&png, &info);
+    return encoded;
+}

@@ -1,0 +1,40 @@
+#include "cmd/cmd.h"
+#include "cmd/setup.h"
+
+#include <stdio.h>
+
+static Status run(const Options *options, int argc, char **argv, Error *error) {
+    switch (options->command) {
+    case COMMAND_RENDER:
+        return cmd_render(options, argc, argv, error);
+    case COMMAND_COMPARE:
+        return cmd_compare(options, error);
+    case COMMAND_INFO:
+        return cmd_info(options, error);
+    case COMMAND_FLATTEN:
+        return cmd_flatten(options, error);
+    case COMMAND_NONE:
+        break;
+    }
+    return STATUS_USAGE;
+}
+
+int main(int argc, char **argv) {
+    Options options;
+    Error error = {0};
+    Status status;
+    if (!options_parse(&options, argc, argv, &error)) {
+        status = error.status;
+    } else if (options.help) {
+        options_print_help(options.command);
+        status = STATUS_DONE;
+    } else if (options.version) {
+        puts("magichour " MAGICHOUR_VERSION);
+        status = STATUS_DONE;
+    } else {
+        status = run(&options, argc, argv, &error);
+    }
+    if (error.text[0] && status != STATUS_DONE) fprintf(stderr, "magichour: %s\n", error.text);
+    if (fflush(stdout) != 0 && status == STATUS_DONE) status = STATUS_OUTPUT;
+    return (int)status;
+}

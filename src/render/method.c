@@ -1,0 +1,88 @@
+#include "render/method.h"
+
+#include "base/text.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { MOST_STEPS = 65535 };
+
+static const char *const family_names[METHOD_FAMILIES] = {"--sky", "--light", "--sequence"};
+static const char *const defaults[METHOD_FAMILIES] = {"paper:16x4", "cosine", "random"};
+
+static const Method methods[] = {
+    {METHOD_SKY, "paper", "pass/sky_paper.glsl",
+     "paper[:NxM]: the paper's sums, N midpoints along the view ray, M back to the eye and M toward the sun"},
+    {METHOD_SKY, "uniform", "pass/sky_uniform.glsl",
+     "uniform[:L]: radiance L (1 by default) from everywhere"},
+    {METHOD_LIGHT, "cosine", "light/cosine.glsl",
+     "Lambert's surfaces, bounces by the cosine, no light sampling"},
+    {METHOD_LIGHT, "paper", "light/paper.glsl",
+     "the author's bounce, lobe 2 cos^3 / pi: a picture of its own"},
+    {METHOD_SEQUENCE, "random", "sequence/random.glsl", "independent numbers from a PCG hash"},
+};
+
+const Method *method_get(int index) {
+    return index >= 0 && index < (int)(sizeof methods / sizeof *methods) ? &methods[index] : NULL;
+}
+
+const char *method_default(MethodFamily family) {
+    return defaults[family];
+}
+
+/* The "16x4" of paper:16x4. */
+static bool parse_paper(MethodChoice *choice, const char *numbers, Error *error) {
+    int used = 0, n = 16, m = 4;
+    if (numbers && (sscanf(numbers, "%5dx%5d%n", &n, &m, &used) != 2 || numbers[used] || n < 1 || m < 1 ||
+                    n > MOST_STEPS || m > MOST_STEPS)) {
+        return error_set(error, STATUS_USAGE, "--sky: '%s' is not paper:NxM with N and M from 1 to %d",
+                         choice->text, MOST_STEPS);
+    }
+    choice->counts[0] = n;
+    choice->counts[1] = m;
+    choice->iterations = n + (long)n * m;
+    snprintf(choice->text, sizeof choice->text, "paper:%dx%d", n, m);
+    return true;
+}
+
+static bool parse_uniform(MethodChoice *choice, const char *number, Error *error) {
+    choice->level = 1;
+    if (number && !number_parse_range("--sky uniform", number, 0, 1e6, &choice->level, error)) return false;
+    snprintf(choice->text, sizeof choice->text, "uniform:%g", choice->level);
+    return true;
+}
+
+static bool parse_numbers(MethodChoice *choice, const char *numbers, Error *error) {
+    const Method *method = choice->method;
+    if (method->family == METHOD_SKY && strcmp(method->name, "paper") == 0)
+        return parse_paper(choice, numbers, error);
+    if (method->family == METHOD_SKY && strcmp(method->name, "uniform") == 0) {
+        return parse_uniform(choice, numbers, error);
+    }
+    if (!numbers) return true;
+    return error_set(error, STATUS_USAGE, "%s: %s takes no numbers", family_names[method->family],
+                     method->name);
+}
+
+bool method_choose(MethodChoice *choice, MethodFamily family, const char *text, Error *error) {
+    if (!text || strcmp(text, "auto") == 0) text = defaults[family];
+    const char *colon = strchr(text, ':');
+    size_t length = colon ? (size_t)(colon - text) : strlen(text);
+    Text known = {0};
+    *choice = (MethodChoice){0};
+    snprintf(choice->text, sizeof choice->text, "%s", text);
+    for (int i = 0; method_get(i); i++) {
+        const Method *method = &methods[i];
+        if (method->family != family) continue;
+        if (strlen(method->name) == length && strncmp(method->name, text, length) == 0) {
+            text_free(&known);
+            choice->method = method;
+            return parse_numbers(choice, colon ? colon + 1 : NULL, error);
+        }
+        text_print(&known, ", %s", method->name);
+    }
+    error_set(error, STATUS_USAGE, "%s: unknown method '%s' (known: auto%s)", family_names[family], text,
+              text_string(&known));
+    text_free(&known);
+    return false;
+}

@@ -1,0 +1,46 @@
+/* The progressive renderer: a scene, the chosen methods and a film; one pass adds one group of samples to
+ * each pixel.
+ *
+ * Sample n of a pixel depends on the pixel, n and the seed alone, and groups are aligned: the picture after n
+ * samples is the same to the bit however the work was cut into passes. */
+#pragma once
+
+#include "gl/film.h"
+#include "render/method.h"
+#include "scene/scene.h"
+
+typedef struct RenderParams {
+    const Scene *scene;
+    const char *library;                /* folder of the GLSL library */
+    const char *sky, *light, *sequence; /* NULL for the default; the scene's own sky comes before it */
+    int width, height;                  /* 0 for the scene's */
+    unsigned seed;
+    int max_hits; /* 0 is unlimited */
+} RenderParams;
+
+typedef struct Renderer {
+    const GlApi *gl;
+    Program program;
+    Film film;
+    MethodChoice sky, light, sequence;
+    int max_hits;
+    unsigned seed;
+    unsigned group_samples;  /* per pass; the last pass may take fewer */
+    double rows_per_second;  /* measured; sizes the draws */
+    char source_files[2048]; /* what was compiled, for -v */
+} Renderer;
+
+/* The fragment shader that these parameters ask for, as one text: the methods, the scene and what they
+ * include. */
+MUST_CHECK bool renderer_flatten(const RenderParams *params, GlslSource *source, Error *error);
+
+/* STATUS_USAGE for methods or loops beyond their limits, STATUS_SCENE for GLSL errors. Compiles, draws
+ * nothing. */
+MUST_CHECK bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params,
+                                Error *error);
+void renderer_destroy(Renderer *renderer);
+
+/* Adds one group, at most `samples`. Drawn in strips of rows so that `stop` (may be NULL) is asked about ten
+ * times a second: when it says yes, the unfinished group is dropped, or kept as far as it came if it is the
+ * first. False on failure; being stopped is not one. */
+MUST_CHECK bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error);

@@ -1,0 +1,308 @@
+#include "scene/annotation.h"
+
+#include "base/file.h"
+#include "scene/value.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { MOST_WORDS = 40 };
+
+/* One annotation, cut into words; words[0] is its key. */
+typedef struct Line {
+    Scene *scene;
+    char *words[MOST_WORDS];
+    int count;
+    char *declaration; /* the GLSL before the annotation on the same line */
+    int number;
+} Line;
+
+static bool cut_words(Line *line, char *text, Error *error) {
+    line->count = 0;
+    for (text += strspn(text, " \t\r"); *text; text += strspn(text, " \t\r")) {
+        if (line->count == MOST_WORDS)
+            return error_set(error, STATUS_SCENE, "more than %d words", MOST_WORDS);
+        char *end;
+        if (*text == '"') {
+            end = strchr(++text, '"');
+            if (!end) return error_set(error, STATUS_SCENE, "the quotation mark is not closed");
+        } else {
+            end = text + strcspn(text, " \t\r");
+        }
+        line->words[line->count++] = text;
+        text = end + (*end != 0);
+        *end = 0;
+    }
+    return true;
+}
+
+static void join_words(const Line *line, int first, char *out, size_t size) {
+    size_t used = 0;
+    out[0] = 0;
+    for (int i = first; i < line->count && used < size; i++) {
+        used += (size_t)snprintf(out + used, size - used, "%s%s", i > first ? " " : "", line->words[i]);
+    }
+}
+
+/* words[at .. at+count) as numbers in a range. */
+static bool numbers(const Line *line, int at, int count, double min, double max, double *values,
+                    Error *error) {
+    for (int i = 0; i < count; i++) {
+        if (at + i >= line->count) {
+            return error_set(error, STATUS_SCENE, "%s needs %d number%s", line->words[at - 1], count,
+                             count > 1 ? "s" : "");
+        }
+        if (!number_parse_range(line->words[at - 1], line->words[at + i], min, max, &values[i], error))
+            return false;
+    }
+    return true;
+}
+
+/* A table of "key numbers" pairs in any order, as in `camera eye 0 2 -4 fov 90`. */
+typedef struct Key {
+    const char *name;
+    int count;
+    double min, max;
+    double *values;
+} Key;
+
+static bool keys(const Line *line, int at, const Key *table, int entries, Error *error) {
+    while (at < line->count) {
+        const Key *key = NULL;
+        for (int i = 0; i < entries; i++) {
+            if (strcmp(table[i].name, line->words[at]) == 0) key = &table[i];
+        }
+        if (!key)
+            return error_set(error, STATUS_SCENE, "%s: unknown key '%s'", line->words[0], line->words[at]);
+        if (!numbers(line, at + 1, key->count, key->min, key->max, key->values, error)) return false;
+        at += 1 + key->count;
+    }
+    return true;
+}
+
+static bool read_title(Line *line, Error *error) {
+    (void)error;
+    join_words(line, 1, line->scene->title, sizeof line->scene->title);
+    return true;
+}
+
+static bool read_look(Line *line, Error *error) {
+    (void)error;
+    join_words(line, 1, line->scene->look, sizeof line->scene->look);
+    return true;
+}
+
+static bool read_camera(Line *line, Error *error) {
+    Scene *scene = line->scene;
+    const Key table[] = {{"eye", 3, -1e6, 1e6, scene->eye},
+                         {"target", 3, -1e6, 1e6, scene->target},
+                         {"fov", 1, 0.01, 179, &scene->fov_deg}};
+    return keys(line, 1, table, 3, error);
+}
+
+static bool read_sun(Line *line, Error *error) {
+    const Key table[] = {{"elevation", 1, -90, 90, &line->scene->sun_elevation_deg},
+                         {"azimuth", 1, -360, 360, &line->scene->sun_azimuth_deg}};
+    return keys(line, 1, table, 2, error);
+}
+
+static bool read_exposure(Line *line, Error *error) {
+    return numbers(line, 1, 1, -64, 64, &line->scene->exposure_ev, error);
+}
+
+static bool read_size(Line *line, Error *error) {
+    double size[2];
+    if (!numbers(line, 1, 2, 0, 1e9, size, error) || !scene_check_size(size[0], size[1], error)) return false;
+    if (size[0] != (int)size[0] || size[1] != (int)size[1]) {
+        return error_set(error, STATUS_SCENE, "size needs two whole numbers");
+    }
+    line->scene->width = (int)size[0];
+    line->scene->height = (int)size[1];
+    return true;
+}
+
+static bool read_sky(Line *line, Error *error) {
+    if (line->count != 2) return error_set(error, STATUS_SCENE, "sky needs a method, such as uniform:1");
+    snprintf(line->scene->sky, sizeof line->scene->sky, "%s", line->words[1]);
+    return true;
+}
+
+static bool read_atmosphere(Line *line, Error *error) {
+    if (line->count != 2) return error_set(error, STATUS_SCENE, "atmosphere needs a preset's name");
+    return atmosphere_choose(&line->scene->atmosphere, line->words[1], error);
+}
+
+static bool read_preset(Line *line, Error *error) {
+    Scene *scene = line->scene;
+    enum { MOST = sizeof scene->presets / sizeof *scene->presets };
+    if (line->count < 2 || line->count % 2) {
+        return error_set(error, STATUS_SCENE, "preset needs a name and pairs of setting and value");
+    }
+    if (scene->preset_count == MOST) return error_set(error, STATUS_SCENE, "more than %d presets", MOST);
+    Preset *preset = &scene->presets[scene->preset_count++];
+    *preset = (Preset){.line = line->number};
+    snprintf(preset->name, sizeof preset->name, "%s", line->words[1]);
+    for (int i = 2; i < line->count; i += 2) {
+        if (preset->setting_count == (int)(sizeof preset->settings / sizeof *preset->settings)) {
+            return error_set(error, STATUS_SCENE, "preset %s has too many settings", preset->name);
+        }
+        Setting *setting = &preset->settings[preset->setting_count++];
+        snprintf(setting->name, sizeof setting->name, "%s", line->words[i]);
+        snprintf(setting->value, sizeof setting->value, "%s", line->words[i + 1]);
+    }
+    return true;
+}
+
+/* The parameter declared on the annotation's own line as `uniform TYPE NAME;`. */
+static Parameter *declared(Line *line, const char *type, Error *error) {
+    Scene *scene = line->scene;
+    char found[64], name[64];
+    int used = 0;
+    if (sscanf(line->declaration, " uniform %63[a-z0-9A-Z] %63[A-Za-z0-9_] ; %n", found, name, &used) != 2 ||
+        !used || line->declaration[used]) {
+        error_set(error, STATUS_SCENE, "%s stands behind `uniform %s NAME;` on the same line", line->words[0],
+                  type);
+        return NULL;
+    }
+    if (strcmp(found, type) != 0) {
+        error_set(error, STATUS_SCENE, "%s needs a uniform of type %s, '%s' is a %s", line->words[0], type,
+                  name, found);
+        return NULL;
+    }
+    for (int i = 0; i < scene->parameter_count; i++) {
+        if (strcmp(scene->parameters[i].name, name) == 0) {
+            error_set(error, STATUS_SCENE, "uniform '%s' is declared twice", name);
+            return NULL;
+        }
+    }
+    if (scene->parameter_count == (int)(sizeof scene->parameters / sizeof *scene->parameters)) {
+        error_set(error, STATUS_SCENE, "more than %d parameters", scene->parameter_count);
+        return NULL;
+    }
+    Parameter *parameter = &scene->parameters[scene->parameter_count++];
+    *parameter = (Parameter){.max = 1};
+    snprintf(parameter->name, sizeof parameter->name, "%s", name);
+    return parameter;
+}
+
+/* The trailing `unit m label "height of the ball"`. */
+static bool read_words(const Line *line, int at, Parameter *parameter, Error *error) {
+    for (; at < line->count; at += 2) {
+        bool unit = strcmp(line->words[at], "unit") == 0;
+        if (!unit && strcmp(line->words[at], "label") != 0) {
+            return error_set(error, STATUS_SCENE, "%s: unknown key '%s'", line->words[0], line->words[at]);
+        }
+        if (at + 1 == line->count) return error_set(error, STATUS_SCENE, "%s needs a word", line->words[at]);
+        if (unit) snprintf(parameter->unit, sizeof parameter->unit, "%s", line->words[at + 1]);
+        if (!unit) snprintf(parameter->label, sizeof parameter->label, "%s", line->words[at + 1]);
+    }
+    return true;
+}
+
+static bool read_slider(Line *line, Error *error) {
+    Parameter *parameter = declared(line, "float", error);
+    if (!parameter || !numbers(line, 1, 1, -1e30, 1e30, parameter->value, error)) return false;
+    parameter->type = PARAMETER_SLIDER;
+    int at = 2;
+    for (; at < line->count; at += 2) {
+        bool min = strcmp(line->words[at], "min") == 0;
+        if (!min && strcmp(line->words[at], "max") != 0) break;
+        if (!numbers(line, at + 1, 1, -1e30, 1e30, min ? &parameter->min : &parameter->max, error))
+            return false;
+    }
+    if (!read_words(line, at, parameter, error)) return false;
+    if (parameter->value[0] < parameter->min || parameter->value[0] > parameter->max) {
+        return error_set(error, STATUS_SCENE, "slider: %g is not from %g to %g", parameter->value[0],
+                         parameter->min, parameter->max);
+    }
+    return true;
+}
+
+static bool read_checkbox(Line *line, Error *error) {
+    Parameter *parameter = declared(line, "bool", error);
+    if (!parameter) return false;
+    parameter->type = PARAMETER_CHECKBOX;
+    bool on = line->count > 1 && strcmp(line->words[1], "on") == 0;
+    if (!on && (line->count < 2 || strcmp(line->words[1], "off") != 0)) {
+        return error_set(error, STATUS_SCENE, "checkbox needs on or off");
+    }
+    parameter->value[0] = on;
+    return read_words(line, 2, parameter, error);
+}
+
+static bool read_color(Line *line, Error *error) {
+    Parameter *parameter = declared(line, "vec3", error);
+    if (!parameter || !numbers(line, 1, 3, 0, 1, parameter->value, error)) return false;
+    parameter->type = PARAMETER_COLOR;
+    return read_words(line, 4, parameter, error);
+}
+
+static const struct {
+    const char *key;
+    bool (*read)(Line *line, Error *error);
+} annotations[] = {
+    {"title", read_title},       {"look", read_look},
+    {"camera", read_camera},     {"sun", read_sun},
+    {"size", read_size},         {"exposure", read_exposure},
+    {"sky", read_sky},           {"atmosphere", read_atmosphere},
+    {"preset", read_preset},     {"slider", read_slider},
+    {"checkbox", read_checkbox}, {"color", read_color},
+};
+enum { ANNOTATIONS = sizeof annotations / sizeof *annotations };
+
+static bool read_annotation(Line *line, Error *error) {
+    if (!line->count) return error_set(error, STATUS_SCENE, "an annotation needs a key");
+    for (int i = 0; i < ANNOTATIONS; i++) {
+        if (strcmp(annotations[i].key, line->words[0]) == 0) return annotations[i].read(line, error);
+    }
+    Text known = {0};
+    for (int i = 0; i < ANNOTATIONS; i++) text_print(&known, "%s%s", i ? ", " : "", annotations[i].key);
+    error_set(error, STATUS_SCENE, "unknown annotation '%s' (known: %s)", line->words[0],
+              text_string(&known));
+    text_free(&known);
+    return false;
+}
+
+static bool read_line(Scene *scene, char *text, int number, Error *error) {
+    char *mark = strstr(text, "//@");
+    char *comment = strstr(text, "//");
+    if (!mark || comment != mark) return true;
+    *mark = 0;
+    Line line = {.scene = scene, .declaration = text, .number = number};
+    if (cut_words(&line, mark + 3, error) && read_annotation(&line, error)) return true;
+    error->status = STATUS_SCENE;
+    return error_prefix(error, "%s:%d: ", scene->path, number);
+}
+
+/* A preset's settings may name parameters declared below it, so all are tried at the end, on a copy. */
+static bool try_presets(const Scene *scene, Error *error) {
+    for (int i = 0; i < scene->preset_count; i++) {
+        Scene trial = *scene;
+        if (!scene_choose_preset(&trial, scene->presets[i].name, error)) {
+            error->status = STATUS_SCENE;
+            return error_prefix(error, "%s:%d: ", scene->path, scene->presets[i].line);
+        }
+    }
+    return true;
+}
+
+bool annotation_read(Scene *scene, Error *error) {
+    Text file = {0};
+    if (!file_read(scene->path, STATUS_SCENE, &file, error)) {
+        text_free(&file);
+        return false;
+    }
+    text_append(&file, "", 0);
+    int number = 1;
+    bool ok = true;
+    for (char *line = file.data; ok && *line; number++) {
+        char *end = line + strcspn(line, "\n");
+        bool last = !*end;
+        *end = 0;
+        ok = read_line(scene, line, number, error);
+        line = last ? end : end + 1;
+    }
+    text_free(&file);
+    return ok && try_presets(scene, error);
+}

@@ -1,0 +1,134 @@
+#include "scene/atmosphere.h"
+
+#include "base/text.h"
+#include "scene/value.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+static const AtmospherePreset presets[] = {
+    {"simmons2017",
+     "Simmons 2017, misprints mended (see the errata); the default",
+     {.planet_radius_m = 6360e3,
+      .top_radius_m = 6420e3,
+      .rayleigh_scale_height_m = 7994,
+      .mie_scale_height_m = 1200,
+      .rayleigh_scatter_per_m = {5.8e-6, 13.5e-6, 33.1e-6},
+      .mie_scatter_per_m = {21e-6, 21e-6, 21e-6},
+      .mie_extinction_ratio = 1.1,
+      .mie_g = 0.76,
+      .rayleigh = 1,
+      .mie = 1,
+      .sun_irradiance = {20, 20, 20},
+      .wavelengths_nm = {680, 550, 440},
+      .refractive_index = 1.0003,
+      .molecules_per_m3 = 2.545e25,
+      .observer_height_m = 1}},
+    {"simmons2017-author",
+     "the author's program: red scatters 3.8e-6 per metre; its two bugs are not repeated",
+     {.planet_radius_m = 6360e3,
+      .top_radius_m = 6420e3,
+      .rayleigh_scale_height_m = 7994,
+      .mie_scale_height_m = 1200,
+      .rayleigh_scatter_per_m = {3.8e-6, 13.5e-6, 33.1e-6},
+      .mie_scatter_per_m = {21e-6, 21e-6, 21e-6},
+      .mie_extinction_ratio = 1.1,
+      .mie_g = 0.76,
+      .rayleigh = 1,
+      .mie = 1,
+      .sun_irradiance = {20, 20, 20},
+      .wavelengths_nm = {680, 550, 440},
+      .refractive_index = 1.0003,
+      .molecules_per_m3 = 2.545e25,
+      .observer_height_m = 1}},
+};
+
+#define FIELD(name, count, min, max, description)                                                            \
+    { #name, offsetof(Atmosphere, name), count, min, max, description }
+
+static const AtmosphereField fields[] = {
+    FIELD(planet_radius_m, 1, 1e3, 1e9, "radius of the planet, m"),
+    FIELD(top_radius_m, 1, 1e3, 1e9, "radius of the top of the atmosphere, m; no density above"),
+    FIELD(observer_height_m, 1, 0, 1e6, "height of every ray that escapes a scene, m"),
+    FIELD(rayleigh, 1, 0, 1e6, "multiplies the density of air; 0 leaves it out"),
+    FIELD(mie, 1, 0, 1e6, "multiplies the density of aerosols; 0 leaves them out"),
+    FIELD(rayleigh_scale_height_m, 1, 1, 1e6, "height over which the air thins by e, m"),
+    FIELD(mie_scale_height_m, 1, 1, 1e6, "height over which the aerosols thin by e, m"),
+    FIELD(rayleigh_scatter_per_m, 3, 0, 1, "Rayleigh scattering at height 0, 1/m"),
+    FIELD(mie_scatter_per_m, 3, 0, 1, "Mie scattering at height 0, 1/m"),
+    FIELD(mie_extinction_ratio, 1, 1, 1e3, "Mie extinction over Mie scattering"),
+    FIELD(mie_g, 1, -0.999, 0.999, "Cornette-Shanks asymmetry of the Mie phase function"),
+    FIELD(sun_irradiance, 3, 0, 1e6, "the sun's irradiance above the atmosphere"),
+    FIELD(wavelengths_nm, 3, 100, 1e5, "wavelengths of R, G, B, nm; Rayleigh by the formula"),
+    FIELD(refractive_index, 1, 1, 2, "of air at height 0; Rayleigh by the formula"),
+    FIELD(molecules_per_m3, 1, 1, 1e40, "of air at height 0, 1/m3; Rayleigh by the formula"),
+};
+
+const AtmospherePreset *atmosphere_preset(int index) {
+    return index >= 0 && index < (int)(sizeof presets / sizeof *presets) ? &presets[index] : NULL;
+}
+
+const AtmosphereField *atmosphere_field(int index) {
+    return index >= 0 && index < (int)(sizeof fields / sizeof *fields) ? &fields[index] : NULL;
+}
+
+const double *atmosphere_value(const Atmosphere *atmosphere, const AtmosphereField *field) {
+    return (const double *)(const void *)((const char *)atmosphere + field->offset);
+}
+
+bool atmosphere_choose(Atmosphere *atmosphere, const char *preset, Error *error) {
+    Text known = {0};
+    for (int i = 0; atmosphere_preset(i); i++) {
+        if (strcmp(presets[i].name, preset) == 0) {
+            *atmosphere = presets[i].atmosphere;
+            text_free(&known);
+            return true;
+        }
+        text_print(&known, "%s%s", i ? ", " : "", presets[i].name);
+    }
+    error_set(error, STATUS_USAGE, "unknown atmosphere '%s' (known: %s)", preset, text_string(&known));
+    text_free(&known);
+    return false;
+}
+
+double atmosphere_rayleigh_formula(double refractive_index, double molecules_per_m3, double wavelength_m) {
+    double pi = acos(-1.0), contrast = refractive_index * refractive_index - 1;
+    return 8 * pi * pi * pi * contrast * contrast / (3 * molecules_per_m3 * pow(wavelength_m, 4));
+}
+
+static void rayleigh_from_formula(Atmosphere *atmosphere) {
+    for (int c = 0; c < 3; c++) {
+        atmosphere->rayleigh_scatter_per_m[c] = atmosphere_rayleigh_formula(
+            atmosphere->refractive_index, atmosphere->molecules_per_m3, atmosphere->wavelengths_nm[c] * 1e-9);
+    }
+}
+
+bool atmosphere_set(Atmosphere *atmosphere, const char *name, const char *value, Error *error) {
+    Text known = {0};
+    for (int i = 0; atmosphere_field(i); i++) {
+        const AtmosphereField *field = &fields[i];
+        text_print(&known, "%s%s", i ? ", " : "", field->name);
+        if (strcmp(field->name, name) != 0) continue;
+        text_free(&known);
+        double *target = (double *)(void *)((char *)atmosphere + field->offset);
+        if (!value_parse(name, value, field->count, field->min, field->max, target, error)) {
+            return error_prefix(error, "atmosphere.");
+        }
+        if (target == atmosphere->wavelengths_nm || target == &atmosphere->refractive_index ||
+            target == &atmosphere->molecules_per_m3) {
+            rayleigh_from_formula(atmosphere);
+        }
+        return true;
+    }
+    error_set(error, STATUS_USAGE, "unknown setting 'atmosphere.%s' (known: %s)", name, text_string(&known));
+    text_free(&known);
+    return false;
+}
+
+bool atmosphere_check(const Atmosphere *atmosphere, Error *error) {
+    if (atmosphere->top_radius_m > atmosphere->planet_radius_m) return true;
+    return error_set(error, STATUS_USAGE,
+                     "atmosphere.top_radius_m (%.10g) must be above atmosphere.planet_radius_m (%.10g)",
+                     atmosphere->top_radius_m, atmosphere->planet_radius_m);
+}

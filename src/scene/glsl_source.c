@@ -1,0 +1,304 @@
+#include "scene/glsl_source.h"
+
+#include "base/file.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+typedef struct Flattener {
+    GlslSource *source;
+    const char *library;
+    const GlslSlot *slots;
+} Flattener;
+
+static bool include_file(Flattener *flattener, const char *path, Error *error);
+
+static int list_find(char **items, int count, const char *item) {
+    for (int i = 0; i < count; i++) {
+        if (strcmp(items[i], item) == 0) return i;
+    }
+    return -1;
+}
+
+static int list_add(char ***items, int *count, const char *item) {
+    *items = memory_grow(*items, (size_t)*count + 1, sizeof **items);
+    (*items)[*count] = strdup(item);
+    return (*count)++;
+}
+
+/* folder/name, or NULL if there is no such file; to be freed. */
+static char *existing_file(const char *folder, size_t folder_length, const char *name, size_t name_length) {
+    Text path = {0};
+    if (folder_length) text_print(&path, "%.*s/", (int)folder_length, folder);
+    text_print(&path, "%.*s", (int)name_length, name);
+    if (access(text_string(&path), F_OK) == 0) return path.data;
+    text_free(&path);
+    return NULL;
+}
+
+static char *find_quoted(const Flattener *flattener, const char *includer, const char *name, size_t length) {
+    const char *slash = strrchr(includer, '/');
+    char *path = existing_file(includer, slash ? (size_t)(slash - includer) : 0, name, length);
+    return path ? path : existing_file(flattener->library, strlen(flattener->library), name, length);
+}
+
+static char *find_chosen(const Flattener *flattener, const char *path) {
+    char *found = existing_file(flattener->library, strlen(flattener->library), path, strlen(path));
+    return found ? found : existing_file("", 0, path, strlen(path));
+}
+
+/* "matte" for ".../material/matte.glsl", in `name`; false for any other path. */
+static bool material_name(const char *path, char *name, size_t size) {
+    const char *slash = strrchr(path, '/');
+    static const char folder[] = "material";
+    size_t length = sizeof folder - 1;
+    if (!slash || slash - path < (long)length || strncmp(slash - length, folder, length) != 0) return false;
+    const char *before = slash - length;
+    if (before != path && before[-1] != '/') return false;
+    snprintf(name, size, "%.*s", (int)strcspn(slash + 1, "."), slash + 1);
+    return true;
+}
+
+static void number_material(GlslSource *source, const char *name) {
+    int number = list_add(&source->materials, &source->material_count, name);
+    text_print(&source->text, "const int MATERIAL_");
+    for (const char *c = name; *c; c++) text_print(&source->text, "%c", toupper((unsigned char)*c));
+    text_print(&source->text, " = %d;\n", number);
+}
+
+static void generate_materials(GlslSource *source) {
+    Text *text = &source->text;
+    int number = list_add(&source->files, &source->file_count, "<materials>");
+    text_print(text, "#line 1 %d\n", number);
+    text_print(text,
+               "Bounce material_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {\n");
+    for (int i = 0; i + 1 < source->material_count; i++) {
+        text_print(text, "    if (material.kind == %d) return %s_sample(material, normal, incoming, u, v);\n",
+                   i, source->materials[i]);
+    }
+    if (source->material_count) {
+        text_print(text, "    return %s_sample(material, normal, incoming, u, v);\n",
+                   source->materials[source->material_count - 1]);
+    } else {
+        text_print(text, "    return Bounce(normal, vec3(0.0));\n");
+    }
+    text_print(text, "}\n");
+}
+
+static bool include_slot(Flattener *flattener, const char *name, size_t length, const char *path, int line,
+                         Error *error) {
+    if (length == strlen("materials") && strncmp(name, "materials", length) == 0) {
+        generate_materials(flattener->source);
+        return true;
+    }
+    for (const GlslSlot *slot = flattener->slots; slot && slot->name; slot++) {
+        if (strlen(slot->name) != length || strncmp(slot->name, name, length) != 0) continue;
+        char *found = find_chosen(flattener, slot->path);
+        if (!found) {
+            return error_set(error, STATUS_SCENE, "%s:%d: no file '%s' for <%s>", path, line, slot->path,
+                             slot->name);
+        }
+        bool ok = include_file(flattener, found, error);
+        free(found);
+        return ok;
+    }
+    return error_set(error, STATUS_SCENE, "%s:%d: unknown slot <%.*s> in #include", path, line, (int)length,
+                     name);
+}
+
+/* `name` points behind "#include". */
+static bool include_line(Flattener *flattener, const char *name, const char *path, int line, Error *error) {
+    name += strspn(name, " \t");
+    const char *end = *name == '"' ? strchr(name + 1, '"') : *name == '<' ? strchr(name + 1, '>') : NULL;
+    if (!end || end == name + 1) {
+        return error_set(error, STATUS_SCENE, "%s:%d: #include needs \"file.glsl\" or <slot>", path, line);
+    }
+    size_t length = (size_t)(end - name - 1);
+    if (*name == '<') return include_slot(flattener, name + 1, length, path, line, error);
+    char *found = find_quoted(flattener, path, name + 1, length);
+    if (!found) {
+        return error_set(error, STATUS_SCENE, "%s:%d: no file '%.*s' beside this one or in %s", path, line,
+                         (int)length, name + 1, flattener->library);
+    }
+    bool ok = include_file(flattener, found, error);
+    free(found);
+    return ok;
+}
+
+/* Whether the comment state at the line's end is inside a block comment. */
+static bool ends_in_comment(const char *line, bool inside) {
+    for (const char *c = line; *c; c++) {
+        if (inside) {
+            if (c[0] == '*' && c[1] == '/') inside = false, c++;
+        } else if (c[0] == '/' && c[1] == '*') {
+            inside = true, c++;
+        } else if (c[0] == '/' && c[1] == '/') {
+            break;
+        }
+    }
+    return inside;
+}
+
+static const char *after_include(const char *line) {
+    line += strspn(line, " \t");
+    if (*line != '#') return NULL;
+    line += 1 + strspn(line + 1, " \t");
+    return strncmp(line, "include", 7) == 0 && !isalnum((unsigned char)line[7]) ? line + 7 : NULL;
+}
+
+static bool flatten_lines(Flattener *flattener, const char *path, int file, char *content, Error *error) {
+    Text *text = &flattener->source->text;
+    bool in_comment = false;
+    int number = 1;
+    for (char *line = content; *line; number++) {
+        char *end = line + strcspn(line, "\n");
+        bool last = !*end;
+        *end = 0;
+        const char *name = in_comment ? NULL : after_include(line);
+        if (name) {
+            if (!include_line(flattener, name, path, number, error)) return false;
+            text_print(text, "#line %d %d\n", number + 1, file);
+        } else {
+            text_append(text, line, strlen(line));
+            text_append(text, "\n", 1);
+            /* #version has to be the first line, so the entry file's first #line follows it. */
+            if (strncmp(line, "#version", 8) == 0) text_print(text, "#line %d %d\n", number + 1, file);
+        }
+        in_comment = ends_in_comment(line, in_comment);
+        line = last ? end : end + 1;
+    }
+    return true;
+}
+
+static bool include_file(Flattener *flattener, const char *path, Error *error) {
+    GlslSource *source = flattener->source;
+    if (list_find(source->files, source->file_count, path) >= 0) return true;
+    Text content = {0};
+    if (!file_read(path, STATUS_SCENE, &content, error)) {
+        text_free(&content);
+        return false;
+    }
+    if (content.size && memchr(content.data, 0, content.size)) {
+        error_set(error, STATUS_SCENE, "%s:1: not a text file", path);
+        text_free(&content);
+        return false;
+    }
+    text_append(&content, "", 0);
+    int file = list_add(&source->files, &source->file_count, path);
+    char name[64];
+    if (material_name(path, name, sizeof name)) number_material(source, name);
+    char *start = content.data;
+    if (strncmp(start, "\xef\xbb\xbf", 3) == 0) start += 3;
+    if (strncmp(start, "#version", 8) != 0) text_print(&source->text, "#line 1 %d\n", file);
+    bool ok = flatten_lines(flattener, path, file, start, error);
+    text_free(&content);
+    return ok;
+}
+
+bool glsl_source_create(GlslSource *source, const char *library, const char *entry, const GlslSlot *slots,
+                        Error *error) {
+    Flattener flattener = {.source = source, .library = library, .slots = slots};
+    *source = (GlslSource){0};
+    char *found = find_chosen(&flattener, entry);
+    bool ok = include_file(&flattener, found ? found : entry, error);
+    free(found);
+    if (!ok) glsl_source_destroy(source);
+    return ok;
+}
+
+void glsl_source_destroy(GlslSource *source) {
+    for (int i = 0; i < source->file_count; i++) free(source->files[i]);
+    for (int i = 0; i < source->material_count; i++) free(source->materials[i]);
+    free(source->files);
+    free(source->materials);
+    text_free(&source->text);
+    *source = (GlslSource){0};
+}
+
+/* Reads "S:L(C): words", "S(L) : words" or "ERROR: S:L: words"; false for a line without a place. */
+static bool parse_log_line(const char *line, int *file, int *number, const char **words) {
+    int used = 0;
+    line += strspn(line, " \t");
+    if (strncmp(line, "ERROR: ", 7) == 0) line += 7;
+    if (sscanf(line, "%d:%d(%*d)%n", file, number, &used) != 2 || !used) {
+        used = 0;
+        if (sscanf(line, "%d(%d)%n", file, number, &used) != 2 || !used) {
+            used = 0;
+            if (sscanf(line, "%d:%d%n", file, number, &used) != 2 || !used) return false;
+        }
+    }
+    *words = line + used + strspn(line + used, " :\t");
+    return true;
+}
+
+void glsl_source_explain(const GlslSource *source, const char *log, Error *error) {
+    Text explained = {0}, rest = {0};
+    int lines = 0;
+    for (const char *line = log; *line; line += strcspn(line, "\n"), line += *line == '\n') {
+        int length = (int)strcspn(line, "\n"), file, number;
+        const char *words;
+        if (!length) continue;
+        if (!parse_log_line(line, &file, &number, &words) || file < 0 || file >= source->file_count) {
+            text_print(&rest, "%s%.*s", rest.size ? "\n" : "", length, line);
+            continue;
+        }
+        if (strncmp(words, "warning", 7) == 0 || lines >= 8) continue;
+        if (strncmp(words, "error: ", 7) == 0) words += 7;
+        text_print(&explained, "%s%s:%d: %.*s", lines++ ? "\n" : "", source->files[file], number,
+                   (int)(line + length - words), words);
+    }
+    if (lines) {
+        error_set(error, STATUS_SCENE, "%s", text_string(&explained));
+    } else {
+        error_set(error, STATUS_SCENE, "%s: the driver refuses the shader: %s",
+                  source->file_count ? source->files[0] : "shader",
+                  rest.size ? text_string(&rest) : "no reason given");
+    }
+    text_free(&explained);
+    text_free(&rest);
+}
+
+/* A copy with comments blanked, to be freed. */
+static char *without_comments(const char *text) {
+    char *copy = strdup(text);
+    for (char *c = copy; *c;) {
+        if (c[0] == '/' && c[1] == '/') {
+            while (*c && *c != '\n') *c++ = ' ';
+        } else if (c[0] == '/' && c[1] == '*') {
+            while (*c && !(c[0] == '*' && c[1] == '/')) *c++ = ' ';
+            if (*c) *c++ = ' ', *c++ = ' ';
+        } else {
+            c++;
+        }
+    }
+    return copy;
+}
+
+/* Behind the parenthesis that closes the one at `open`: a parameter list may hold INOUT(Hit). */
+static const char *closing_parenthesis(const char *open) {
+    int depth = 0;
+    for (; *open; open++) {
+        depth += (*open == '(') - (*open == ')');
+        if (!depth) return open + 1;
+    }
+    return open;
+}
+
+bool glsl_source_defines(const GlslSource *source, const char *function) {
+    char *text = without_comments(text_string(&source->text));
+    size_t length = strlen(function);
+    bool found = false;
+    for (char *at = text; !found && (at = strstr(at, function)); at += length) {
+        bool starts = at == text || (!isalnum((unsigned char)at[-1]) && at[-1] != '_');
+        const char *next = at + length + strspn(at + length, " \t\n\r");
+        if (!starts || *next != '(') continue;
+        const char *close = closing_parenthesis(next);
+        close += strspn(close, " \t\n\r");
+        found = *close == '{';
+    }
+    free(text);
+    return found;
+}

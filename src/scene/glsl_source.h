@@ -1,0 +1,40 @@
+/* One GLSL text from many files: `#include` resolved, every line traceable to the file it came from.
+ *
+ *   #include "shape/sphere.glsl"   a file beside the including one, else in the GLSL library; each file once
+ *   #include <sky>                 a slot: the file that the host chose for that name
+ *   #include <materials>           written here: material_sample(), a call for each material/ file included
+ * so far
+ *
+ * A file in a folder named material/ gets a number when it is included, MATERIAL_MATTE for
+ * material/matte.glsl. So a new method or material is a new file, and what is not included is not compiled.
+ */
+#pragma once
+
+#include "base/error.h"
+#include "base/text.h"
+
+typedef struct GlslSlot {
+    const char *name; /* "sky" */
+    const char
+        *path; /* relative to the library, or to the working folder if it starts with '/' or exists there */
+} GlslSlot;
+
+typedef struct GlslSource {
+    Text text;
+    char **files; /* by source-string number; the first is the entry file */
+    int file_count;
+    char **materials; /* names in order of inclusion: "matte" */
+    int material_count;
+} GlslSource;
+
+/* Flattens `entry` (a path as in GlslSlot). `slots` ends with a NULL name. Fails with STATUS_SCENE and the
+ * place of the #include that is wrong. */
+MUST_CHECK bool glsl_source_create(GlslSource *source, const char *library, const char *entry,
+                                   const GlslSlot *slots, Error *error);
+void glsl_source_destroy(GlslSource *source);
+
+/* Turns a driver's log into an error: each "2:14(3): error: words" becomes "scenes/a.glsl:14: words". */
+void glsl_source_explain(const GlslSource *source, const char *log, Error *error);
+
+/* Whether the text defines a function of that name (outside comments). */
+bool glsl_source_defines(const GlslSource *source, const char *function);

@@ -1,0 +1,60 @@
+/* A scene: a GLSL file's annotations, and the settings that were made over them. */
+#pragma once
+
+#include "base/error.h"
+#include "scene/atmosphere.h"
+
+typedef enum ParameterType { PARAMETER_SLIDER, PARAMETER_CHECKBOX, PARAMETER_COLOR } ParameterType;
+
+/* An annotated uniform. */
+typedef struct Parameter {
+    char name[64];
+    ParameterType type;
+    double value[3]; /* [0] for a slider and a checkbox (0 or 1) */
+    double min, max;
+    char unit[16], label[96];
+} Parameter;
+
+/* `NAME VALUE` of a preset, applied as --set does. */
+typedef struct Setting {
+    char name[64], value[96];
+} Setting;
+
+typedef struct Preset {
+    char name[64];
+    Setting settings[16];
+    int setting_count;
+    int line;
+} Preset;
+
+typedef struct Scene {
+    char *path; /* owned */
+    char title[128], look[256];
+    double eye[3], target[3], fov_deg; /* vertical angle */
+    double sun_elevation_deg, sun_azimuth_deg;
+    double exposure_ev;
+    int width, height;
+    char sky[64]; /* the sky method that the scene asks for; empty if it asks for none */
+    Atmosphere atmosphere;
+    Parameter parameters[32];
+    int parameter_count;
+    Preset presets[32];
+    int preset_count;
+} Scene;
+
+/* Pictures' limits, as a sentence for errors and the check itself (STATUS_USAGE). */
+MUST_CHECK bool scene_check_size(double width, double height, Error *error);
+
+/* Reads a scene file's annotations; presets are tried out, so that a wrong one is found at once.
+ * STATUS_SCENE with "path:line: ...". */
+MUST_CHECK bool scene_read(Scene *scene, const char *path, Error *error);
+void scene_destroy(Scene *scene);
+
+/* Sets "sun.elevation", "camera.fov", "exposure", "atmosphere.mie_g" or a parameter. STATUS_USAGE names what
+ * is known. */
+MUST_CHECK bool scene_set(Scene *scene, const char *name, const char *value, Error *error);
+MUST_CHECK bool scene_choose_preset(Scene *scene, const char *name, Error *error);
+
+/* What no single value shows: a camera that looks somewhere, an atmosphere above its planet (STATUS_USAGE).
+ */
+MUST_CHECK bool scene_check(const Scene *scene, Error *error);

@@ -1,0 +1,147 @@
+#include "support.h"
+
+#include "base/file.h"
+#include "gl/program.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static char folder[256];
+char support_out[65536], support_err[65536];
+
+void support_open(Context *context) {
+    Error error;
+    if (context_open(context, "auto", &error)) return;
+    print_message("no OpenGL here: %s\n", error.text);
+    skip();
+}
+
+static GLuint create_texture(const GlApi *gl, int width, int height, const float *data) {
+    GLuint texture = 0;
+    gl->GenTextures(1, &texture);
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, data);
+    return texture;
+}
+
+static void compile(const Context *context, const char *glsl, Program *program) {
+    Text text = {0};
+    GlslSource source;
+    Error error;
+    text_print(&text,
+               "#version 330 core\n%s\nout vec4 result;\n"
+               "void main() { result = evaluate(floor(gl_FragCoord.xy)); }\n",
+               glsl);
+    const char *path = support_write("evaluate.glsl", text_string(&text));
+    text_free(&text);
+    if (!glsl_source_create(&source, "glsl", path, NULL, &error) ||
+        !program_create(program, &context->gl, &source, &error)) {
+        fail_msg("%s", error.text);
+    }
+    glsl_source_destroy(&source);
+}
+
+void support_evaluate(const Context *context, const char *glsl, const float *inputs, int width, int height,
+                      float *results) {
+    const GlApi *gl = &context->gl;
+    Program program;
+    GLuint framebuffer = 0, textures[2];
+    Error error;
+    compile(context, glsl, &program);
+    textures[0] = create_texture(gl, width, height, NULL);
+    textures[1] = create_texture(gl, width, height, inputs);
+    gl->GenFramebuffers(1, &framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textures[0], 0);
+    gl->Viewport(0, 0, width, height);
+    program_use(&program);
+    program_set_int(&program, "inputs", 0);
+    program_draw(&program, width, 0, height);
+    gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl->ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, results);
+    if (!gl_check(gl, "evaluate", &error)) fail_msg("%s", error.text);
+    gl->DeleteFramebuffers(1, &framebuffer);
+    gl->DeleteTextures(2, textures);
+    program_destroy(&program);
+}
+
+int support_folder(void **state) {
+    (void)state;
+    const char *base = getenv("TMPDIR");
+    snprintf(folder, sizeof folder, "%s/magichour_test_XXXXXX", base && *base ? base : "/tmp");
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+int support_clean(void **state) {
+    (void)state;
+    DIR *entries = opendir(folder);
+    if (!entries) return -1;
+    for (struct dirent *entry; (entry = readdir(entries));) {
+        if (entry->d_name[0] != '.') unlink(support_path(entry->d_name));
+    }
+    closedir(entries);
+    return rmdir(folder);
+}
+
+const char *support_path(const char *name) {
+    static char paths[8][768];
+    static int next;
+    char *path = paths[next++ % 8];
+    snprintf(path, sizeof paths[0], "%s/%s", folder, name);
+    return path;
+}
+
+const char *support_write(const char *name, const char *text) {
+    Error error;
+    const char *path = support_path(name);
+    if (!file_replace(path, text, strlen(text), &error)) fail_msg("%s", error.text);
+    return path;
+}
+
+static void read_stream(const char *name, char *buffer, size_t size) {
+    FILE *file = fopen(support_path(name), "rb");
+    size_t got = file ? fread(buffer, 1, size - 1, file) : 0;
+    buffer[got] = 0;
+    if (file) fclose(file);
+}
+
+static int run_arguments(const char *environment, const char *format, va_list list) {
+    char arguments[4096];
+    Text command = {0};
+    const char *program = getenv("MAGICHOUR");
+    vsnprintf(arguments, sizeof arguments, format, list);
+    text_print(&command, "%s '%s' %s >'%s' 2>'%s' </dev/null", environment,
+               program ? program : "build/magichour", arguments, support_path("stdout"),
+               support_path("stderr"));
+    int status = system(text_string(&command));
+    text_free(&command);
+    read_stream("stdout", support_out, sizeof support_out);
+    read_stream("stderr", support_err, sizeof support_err);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+int support_run(const char *environment, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    int status = run_arguments(environment, format, list);
+    va_end(list);
+    return status;
+}
+
+void support_expect(int status, const char *error_part, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    int got = run_arguments("", format, list);
+    va_end(list);
+    bool said = strstr(support_err, error_part) != NULL;
+    bool prefixed = status == 0 || strncmp(support_err, "magichour: ", 11) == 0;
+    if (got == status && said && prefixed) return;
+    fail_msg("'%s': expected status %d and '%s', got %d and: %s", format, status, error_part, got,
+             support_err);
+}

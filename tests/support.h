@@ -1,0 +1,41 @@
+/* What the tests share: GLSL evaluated texel by texel, the program run as a user runs it, a folder to work
+ * in. */
+#pragma once
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "gl/context.h"
+#include "image/image.h"
+
+/* Opens the first backend that there is, or skips the test with the reason. */
+void support_open(Context *context);
+
+/* Compiles `glsl`, which defines `vec4 evaluate(vec2 texel)` (texel in whole numbers, row 0 first) and may
+ * fetch from `uniform sampler2D inputs` (the same size; NULL for none), and reads the results: 4 * width *
+ * height floats. */
+void support_evaluate(const Context *context, const char *glsl, const float *inputs, int width, int height,
+                      float *results);
+
+/* A new folder for this test program, removed with its files by support_clean (group setup and teardown). */
+int support_folder(void **state);
+int support_clean(void **state);
+
+/* folder/name in one of a few buffers used in turn. */
+const char *support_path(const char *name);
+
+/* Writes a text file into the folder and gives its path. */
+const char *support_write(const char *name, const char *text);
+
+/* Runs `magichour ARGUMENTS` through the shell; `environment` in front ("LP_NUM_THREADS=1") may be "". Gives
+ * the exit status; what it printed is in support_out and support_err until the next run. */
+int support_run(const char *environment, const char *format, ...) __attribute__((format(printf, 2, 3)));
+extern char support_out[65536], support_err[65536];
+
+/* The exit status and the start of standard error, together in one readable failure. */
+void support_expect(int status, const char *error_part, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));

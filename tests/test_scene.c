@@ -1,0 +1,246 @@
+/* Scene files: annotations, settings, the atmosphere's numbers, and GLSL text from many files. */
+#include "support.h"
+
+#include "base/text.h"
+#include "scene/glsl_source.h"
+#include "scene/scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static void test_annotations(void **state) {
+    (void)state;
+    Scene scene;
+    Error error;
+    const char *path = support_write(
+        "good.glsl", "//@ title A  scene\r\n"
+                     "//@ camera eye 1 2 3 target 4 5 6 fov 40\n"
+                     "//@ sun azimuth 90 elevation -2\n"
+                     "//@ size 320 200\n"
+                     "//@ exposure 2\n"
+                     "//@ sky uniform:3\n"
+                     "//@ atmosphere simmons2017-author\n"
+                     "//@ preset low sun.elevation 1 height 2.5 tint 1,0,0.5 atmosphere.mie_g 0.5\n"
+                     "uniform float height; //@ slider 1 min -1 max 3 unit m label \"how high\"\n"
+                     "uniform bool lamp; //@ checkbox off\n"
+                     "uniform vec3 tint; //@ color 0.1 0.2 0.3 label paint\n"
+                     "float f() { return 1.0; } // not one: //@ frob\n");
+    if (!scene_read(&scene, path, &error)) fail_msg("%s", error.text);
+    assert_string_equal(scene.title, "A scene");
+    assert_true(scene.eye[2] == 3 && scene.target[0] == 4 && scene.fov_deg == 40);
+    assert_true(scene.sun_elevation_deg == -2 && scene.sun_azimuth_deg == 90);
+    assert_int_equal(scene.width, 320);
+    assert_int_equal(scene.height, 200);
+    assert_true(scene.exposure_ev == 2);
+    assert_string_equal(scene.sky, "uniform:3");
+    assert_true(scene.atmosphere.rayleigh_scatter_per_m[0] == 3.8e-6);
+    assert_int_equal(scene.parameter_count, 3);
+    assert_string_equal(scene.parameters[0].label, "how high");
+    assert_string_equal(scene.parameters[0].unit, "m");
+    assert_true(scene.parameters[1].value[0] == 0);
+    assert_true(scene.parameters[2].value[2] == 0.3);
+    assert_true(scene_choose_preset(&scene, "low", &error));
+    assert_true(scene.sun_elevation_deg == 1 && scene.parameters[0].value[0] == 2.5);
+    assert_true(scene.parameters[2].value[0] == 1 && scene.atmosphere.mie_g == 0.5);
+    assert_true(scene_set(&scene, "lamp", "on", &error) && scene.parameters[1].value[0] == 1);
+    assert_false(scene_set(&scene, "lamp", "2", &error));
+    assert_false(scene_set(&scene, "height", "3.5", &error));
+    assert_non_null(strstr(error.text, "height: '3.5' is not a number from -1 to 3"));
+    assert_false(scene_set(&scene, "hight", "3", &error));
+    assert_non_null(strstr(error.text, "no setting 'hight' (known: height, lamp, tint, sun.elevation"));
+    assert_false(scene_set(&scene, "atmosphere.mie", "nan", &error));
+    assert_non_null(strstr(error.text, "atmosphere.mie: 'nan' is not a number from 0"));
+    assert_false(scene_choose_preset(&scene, "high", &error));
+    assert_non_null(strstr(error.text, "no preset 'high' (known: low)"));
+    assert_true(scene_check(&scene, &error));
+    assert_true(scene_set(&scene, "camera.eye", "4,5,6", &error));
+    assert_false(scene_check(&scene, &error));
+    scene_destroy(&scene);
+}
+
+static void test_annotations_refused(void **state) {
+    (void)state;
+    static const struct {
+        const char *line, *part;
+    } cases[] = {
+        {"//@ frob 1", "unknown annotation 'frob' (known: title, look"},
+        {"//@", "an annotation needs a key"},
+        {"//@ camera eye 0 0", "eye needs 3 numbers"},
+        {"//@ camera eye 0 0 x", "eye: 'x' is not a number"},
+        {"//@ camera eye 0 nan 0", "eye: 'nan' is not a number"},
+        {"//@ camera fov 180", "fov: '180' is not a number from 0.01 to 179"},
+        {"//@ camera zoom 3", "camera: unknown key 'zoom'"},
+        {"//@ sun elevation 95", "'95' is not a number from -90 to 90"},
+        {"//@ size 0 0", "picture size 0x0"},
+        {"//@ size 100000 100000", "each side must be from 1 to 16384"},
+        {"//@ size 10.5 3", "two whole numbers"},
+        {"//@ size 512", "size needs 2 numbers"},
+        {"//@ title \"open", "quotation mark is not closed"},
+        {"//@ atmosphere mars", "unknown atmosphere 'mars' (known: simmons2017"},
+        {"//@ preset a sun.elevation", "pairs of setting and value"},
+        {"//@ preset a sun.elevation 95", "'95' is not a number from -90 to 90"},
+        {"//@ preset a frob 1", "no setting 'frob'"},
+        {"//@ slider 1", "slider stands behind `uniform float NAME;`"},
+        {"uniform vec3 a; //@ slider 1", "'a' is a vec3"},
+        {"uniform float a; //@ slider", "slider needs 1 number"},
+        {"uniform float a; //@ slider 2", "2 is not from 0 to 1"},
+        {"uniform float a; //@ slider 1 mix 3", "unknown key 'mix'"},
+        {"uniform bool a; //@ checkbox maybe", "checkbox needs on or off"},
+        {"uniform vec3 a; //@ color 0 0", "color needs 3 numbers"},
+        {"uniform vec3 a; //@ color 0 0 2", "color: '2' is not a number from 0 to 1"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Scene scene;
+        Error error = {0};
+        char text[256], place[64];
+        snprintf(text, sizeof text, "// one\n\n%s\n", cases[i].line);
+        const char *path = support_write("bad.glsl", text);
+        assert_false(scene_read(&scene, path, &error));
+        assert_int_equal(error.status, STATUS_SCENE);
+        snprintf(place, sizeof place, "bad.glsl:3: ");
+        if (!strstr(error.text, place) || !strstr(error.text, cases[i].part)) {
+            fail_msg("%s: %s", cases[i].line, error.text);
+        }
+    }
+    Scene scene;
+    Error error;
+    const char *twice =
+        support_write("bad.glsl", "uniform float a; //@ slider 1\nuniform float a; //@ slider 1\n");
+    assert_false(scene_read(&scene, twice, &error));
+    assert_non_null(strstr(error.text, "bad.glsl:2: uniform 'a' is declared twice"));
+}
+
+static void test_atmosphere(void **state) {
+    (void)state;
+    static const double paper[3] = {5.47e-6, 12.79e-6, 31.2e-6};
+    static const char *const lambda[3] = {"680", "550", "440"};
+    Atmosphere a;
+    Error error;
+    assert_true(atmosphere_choose(&a, "simmons2017", &error));
+    for (int c = 0; c < 3; c++) {
+        double number = 0;
+        assert_true(number_parse(lambda[c], &number));
+        double formula = atmosphere_rayleigh_formula(1.0003, 2.545e25, number * 1e-9);
+        assert_true(fabs(formula / paper[c] - 1) < 2e-3);
+        assert_true(fabs(formula / a.rayleigh_scatter_per_m[c] - 1) < 0.07);
+    }
+    /* A wavelength brings the formula in: blue light scatters by the fourth power. */
+    assert_true(atmosphere_set(&a, "wavelengths_nm", "800,400,400", &error));
+    assert_true(fabs(a.rayleigh_scatter_per_m[1] / a.rayleigh_scatter_per_m[0] - 16) < 1e-9);
+    assert_true(atmosphere_set(&a, "rayleigh_scatter_per_m", "1e-6,2e-6,3e-6", &error));
+    assert_true(a.rayleigh_scatter_per_m[2] == 3e-6);
+    assert_false(atmosphere_set(&a, "rayleigh_scatter_per_m", "1e-6,2e-6", &error));
+    assert_false(atmosphere_set(&a, "mie_g", "1", &error));
+    assert_non_null(strstr(error.text, "atmosphere.mie_g: '1' is not a number from -0.999 to 0.999"));
+    assert_true(atmosphere_set(&a, "top_radius_m", "6360000", &error));
+    assert_false(atmosphere_check(&a, &error));
+    assert_non_null(strstr(error.text, "must be above"));
+}
+
+static void test_flatten(void **state) {
+    (void)state;
+    GlslSource source;
+    Error error;
+    support_write("b.glsl", "float b() { return 1.0; }");
+    support_write("c.glsl", "#include \"b.glsl\"\nfloat c() { return b(); }\n");
+    const char *path =
+        support_write("a.glsl", "#version 330 core\n/* #include \"none.glsl\" */\n"
+                                "#include \"c.glsl\"\n  #  include \"b.glsl\"\n#include <slot>\nlast\n");
+    const GlslSlot slots[] = {{"slot", support_path("b.glsl")}, {NULL, NULL}};
+    if (!glsl_source_create(&source, "glsl", path, slots, &error)) fail_msg("%s", error.text);
+    assert_string_equal(
+        text_string(&source.text),
+        "#version 330 core\n#line 2 0\n/* #include \"none.glsl\" */\n"
+        "#line 1 1\n#line 1 2\nfloat b() { return 1.0; }\n#line 2 1\nfloat c() { return b(); }\n"
+        "#line 4 0\n#line 5 0\n#line 6 0\nlast\n");
+    assert_int_equal(source.file_count, 3);
+
+    /* The forms in which drivers report. */
+    glsl_source_explain(&source, "2:1(7): error: first\n1:2(3): warning: no\n0:6(1): error: second\n",
+                        &error);
+    char expected[1024];
+    snprintf(expected, sizeof expected, "%s:1: first\n%s:6: second", support_path("b.glsl"), path);
+    assert_string_equal(error.text, expected);
+    assert_int_equal(error.status, STATUS_SCENE);
+    glsl_source_explain(&source, "1(2) : error C1008: undefined variable \"x\"\n", &error);
+    assert_non_null(strstr(error.text, "c.glsl:2: error C1008"));
+    glsl_source_explain(&source, "ERROR: 1:2: 'x' : undeclared identifier\n", &error);
+    assert_non_null(strstr(error.text, "c.glsl:2: 'x' : undeclared"));
+    glsl_source_explain(&source, "link failed for reasons", &error);
+    assert_non_null(strstr(error.text, "link failed for reasons"));
+    glsl_source_destroy(&source);
+}
+
+static void test_flatten_refused(void **state) {
+    (void)state;
+    static const struct {
+        const char *line, *part;
+    } cases[] = {
+        {"#include \"none.glsl\"", "no file 'none.glsl' beside this one or in glsl"},
+        {"#include none.glsl", "#include needs \"file.glsl\" or <slot>"},
+        {"#include", "#include needs"},
+        {"#include <frob>", "unknown slot <frob>"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        GlslSource source;
+        Error error;
+        char text[128];
+        snprintf(text, sizeof text, "\n%s\n", cases[i].line);
+        assert_false(glsl_source_create(&source, "glsl", support_write("bad.glsl", text), NULL, &error));
+        if (!strstr(error.text, "bad.glsl:2: ") || !strstr(error.text, cases[i].part)) {
+            fail_msg("%s: %s", cases[i].line, error.text);
+        }
+    }
+}
+
+static void test_defines(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        bool defines;
+    } cases[] = {
+        {"void hit(INOUT(Hit) a, int b)\n{ }", true},
+        {"void hit(int a);", false},
+        {"// void hit() {}\n", false},
+        {"/* void hit() {} */", false},
+        {"void hit_all() {}", false},
+        {"void rehit() {}", false},
+        {"void f() { hit(1); }\nvoid hit(int a) {}", true},
+        {"void f() { hit(1); }", false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        GlslSource source;
+        Error error;
+        assert_true(
+            glsl_source_create(&source, "glsl", support_write("d.glsl", cases[i].text), NULL, &error));
+        if (glsl_source_defines(&source, "hit") != cases[i].defines) fail_msg("%s", cases[i].text);
+        glsl_source_destroy(&source);
+    }
+}
+
+/* A scene compiles what it includes and nothing else, and a new material needs no edit elsewhere. */
+static void test_materials(void **state) {
+    (void)state;
+    GlslSource source;
+    Error error;
+    const GlslSlot slots[] = {{"scene", "scenes/furnace.glsl"}, {NULL, NULL}};
+    const char *entry = support_write("entry.glsl", "#include <scene>\n#include <materials>\n");
+    assert_true(glsl_source_create(&source, "glsl", entry, slots, &error));
+    const char *text = text_string(&source.text);
+    assert_non_null(strstr(text, "const int MATERIAL_MATTE = 0;"));
+    assert_non_null(strstr(text, "const int MATERIAL_MIRROR = 1;"));
+    assert_non_null(strstr(text, "if (material.kind == 0) return matte_sample("));
+    assert_null(strstr(text, "checker"));
+    glsl_source_destroy(&source);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_annotations),     cmocka_unit_test(test_annotations_refused),
+        cmocka_unit_test(test_atmosphere),      cmocka_unit_test(test_flatten),
+        cmocka_unit_test(test_flatten_refused), cmocka_unit_test(test_defines),
+        cmocka_unit_test(test_materials),
+    };
+    return cmocka_run_group_tests_name("scene", tests, support_folder, support_clean);
+}

@@ -1,0 +1,47 @@
+#!/bin/sh
+# What reviewers should not have to look for: formatting, upward includes, GLSL by a second compiler.
+set -eu
+cd "$(dirname "$0")/.."
+failed=0
+
+echo "lint: clang-format"
+git ls-files '*.c' '*.h' | xargs clang-format --dry-run -Werror || failed=1
+
+# src/ is layered: a file includes from its own folder and from folders before it in this list.
+echo "lint: upward includes"
+layers="base image scene gl render cmd"
+allowed=""
+for layer in $layers; do
+    allowed="$allowed $layer"
+    for file in src/"$layer"/*.[ch]; do
+        for included in $(sed -n 's|^#include "\([a-z]*\)/.*|\1|p' "$file"); do
+            case " $allowed " in
+            *" $included "*) ;;
+            *) echo "$file includes $included/, a layer above its own" >&2; failed=1 ;;
+            esac
+        done
+    done
+done
+
+# Each scene, flattened with each method, through the reference compiler: a driver accepts more than the language has.
+echo "lint: glslang"
+magichour=build/magichour
+make -s all
+text=$(mktemp --suffix .frag)
+trap 'rm -f "$text"' EXIT
+check() {
+    if ! "$magichour" flatten "$@" >"$text" || ! glslangValidator -S frag "$text" >"$text.log" 2>&1; then
+        echo "flatten $*:" >&2
+        cat "$text.log" >&2
+        failed=1
+    fi
+    rm -f "$text.log"
+}
+for scene in scenes/*.glsl; do
+    for sky in paper uniform; do
+        for light in paper cosine; do check "$scene" --sky $sky --light $light; done
+    done
+done
+
+[ $failed = 0 ] && echo "lint: clean"
+exit $failed
