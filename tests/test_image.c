@@ -296,9 +296,8 @@ static void test_png_extremes(void **state) {
     for (int tone = 0; tone < 2; tone++) {
         unsigned char *bytes = png_bytes(&image, &(ImageWriteParams){.tone = tone ? TONE_NONE : TONE_AUTHOR});
         for (int i = 0; i < 3 * COUNT * 64; i++) {
-            /* The author's curve is below 1 there. */
-            if (tone || cases[i / 3 % COUNT].value != 1)
-                assert_int_equal(bytes[i], cases[i / 3 % COUNT].byte);
+            float value = cases[i / 3 % COUNT].value; /* at 1 and 2, the author's curve is below 1 */
+            if (tone || (value != 1 && value != 2)) assert_int_equal(bytes[i], cases[i / 3 % COUNT].byte);
         }
         free(bytes);
     }

@@ -17,10 +17,13 @@ void film_add(vec4 group, float rejected) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 sum = texelFetch(film_sum, pixel, 0);
     vec4 rest = texelFetch(film_rest, pixel, 0);
-    // Knuth's exact sum: next + rounded_off is sum + group to the last bit.
+    // Knuth's exact sum: next + lost is sum + group to the last bit. What was lost joins the rest, and the rest goes back
+    // into the sum as far as the sum has digits for it (Dekker's), or it would grow and lose digits itself.
     vec3 next = film_opaque(sum.rgb + group.rgb);
     vec3 added = film_opaque(next - sum.rgb);
-    vec3 rounded_off = (sum.rgb - film_opaque(next - added)) + (group.rgb - added);
-    film_sum_next = vec4(next, sum.a + group.a);
-    film_rest_next = vec4(rest.rgb + rounded_off, rest.a + rejected);
+    vec3 lost = (sum.rgb - film_opaque(next - added)) + (group.rgb - added);
+    vec3 small = rest.rgb + lost;
+    vec3 total = film_opaque(next + small);
+    film_sum_next = vec4(total, sum.a + group.a);
+    film_rest_next = vec4(small - film_opaque(total - next), rest.a + rejected);
 }

@@ -8,13 +8,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+static const size_t size_limit = (size_t)4 << 30;
+
 bool file_read(const char *path, Status status, Text *text, Error *error) {
     FILE *file = fopen(path, "rb");
     if (!file) return error_set(error, status, "%s: cannot be read: %s", path, strerror(errno));
     char buffer[65536];
     size_t got;
-    while ((got = fread(buffer, 1, sizeof buffer, file)) > 0) text_append(text, buffer, got);
-    int failed = ferror(file) ? errno : 0;
+    int failed = 0;
+    while (!failed && (got = fread(buffer, 1, sizeof buffer, file)) > 0) {
+        text_append(text, buffer, got);
+        if (text->size > size_limit) failed = EFBIG; /* an endless device */
+    }
+    if (ferror(file)) failed = errno;
     fclose(file);
     if (failed) return error_set(error, status, "%s: cannot be read: %s", path, strerror(failed));
     return true;

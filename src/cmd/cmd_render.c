@@ -99,38 +99,49 @@ static bool render(Job *job, Error *error) {
     return true;
 }
 
+static void describe_value(AttributeList *list, const char *group, const char *name, const double *value,
+                           int count) {
+    char full[96];
+    snprintf(full, sizeof full, "magichour.%s.%s", group, name);
+    if (count == 3) {
+        attribute_add(list, full, "%.9g,%.9g,%.9g", value[0], value[1], value[2]);
+    } else {
+        attribute_add(list, full, "%.9g", value[0]);
+    }
+}
+
+/* The metadata: enough to make the picture again. */
 static void describe(const Job *job, int argc, char **argv, AttributeList *list) {
     const Scene *scene = &job->scene;
     const Renderer *renderer = &job->renderer;
     Text command = {0};
     for (int i = 0; i < argc; i++) text_print(&command, "%s%s", i ? " " : "", argv[i]);
-    attribute_add(list, "software", "magichour %s", MAGICHOUR_VERSION);
-    attribute_add(list, "command", "%s", text_string(&command));
-    attribute_add(list, "scene", "%s", scene->path);
-    for (int i = 0; i < scene->parameter_count; i++) {
-        const Parameter *p = &scene->parameters[i];
-        char name[80];
-        snprintf(name, sizeof name, "parameter.%.20s", p->name);
-        if (p->type == PARAMETER_COLOR) {
-            attribute_add(list, strdup(name), "%.9g,%.9g,%.9g", p->value[0], p->value[1], p->value[2]);
-        } else {
-            attribute_add(list, strdup(name), "%.9g", p->value[0]);
-        }
-    }
-    attribute_add(list, "sun", "elevation %.9g azimuth %.9g degrees", scene->sun_elevation_deg,
+    attribute_add(list, "magichour.version", "%s", MAGICHOUR_VERSION);
+    attribute_add(list, "magichour.command", "%s", text_string(&command));
+    attribute_add(list, "magichour.scene", "%s", scene->path);
+    attribute_add(list, "magichour.sun", "elevation %.9g azimuth %.9g", scene->sun_elevation_deg,
                   scene->sun_azimuth_deg);
-    attribute_add(list, "sky", "%s", renderer->sky.text);
-    attribute_add(list, "light", "%s", renderer->light.text);
-    attribute_add(list, "sequence", "%s", renderer->sequence.text);
-    if (job->options->depth) attribute_add(list, "depth", "%d", job->options->depth);
-    if (!job->options->depth) attribute_add(list, "depth", "unlimited");
-    attribute_add(list, "seed", "%u", renderer->seed);
-    attribute_add(list, "samples", "%" PRIu64, renderer->film.samples);
-    attribute_add(list, "rejected", "%" PRIu64, job->count.rejected);
-    attribute_add(list, "seconds", "%.6f", job->figures.seconds);
-    attribute_add(list, "backend", "%s, %s", job->context.backend->name, job->context.detail);
-    attribute_add(list, "renderer", "%s", job->context.renderer);
-    attribute_add(list, "version", "%s", job->context.version);
+    attribute_add(list, "magichour.sky", "%s", renderer->sky.text);
+    attribute_add(list, "magichour.light", "%s", renderer->light.text);
+    attribute_add(list, "magichour.sequence", "%s", renderer->sequence.text);
+    attribute_add(list, "magichour.depth", "%d", job->options->depth);
+    attribute_add(list, "magichour.seed", "%u", renderer->seed);
+    attribute_add(list, "magichour.samples", "%" PRIu64, renderer->film.samples);
+    attribute_add(list, "magichour.rejected", "%" PRIu64, job->count.rejected);
+    attribute_add(list, "magichour.seconds", "%.6f", job->figures.seconds);
+    attribute_add(list, "magichour.backend", "%s, %s", job->context.backend->name, job->context.detail);
+    attribute_add(list, "magichour.gl_renderer", "%s", job->context.renderer);
+    attribute_add(list, "magichour.gl_version", "%s", job->context.version);
+    for (int i = 0; i < scene->parameter_count; i++) {
+        const Parameter *parameter = &scene->parameters[i];
+        const double *value = parameter->value;
+        describe_value(list, "set", parameter->name, value, parameter->type == PARAMETER_COLOR ? 3 : 1);
+    }
+    for (int i = 0; atmosphere_field(i); i++) {
+        const AtmosphereField *field = atmosphere_field(i);
+        const double *value = atmosphere_value(&scene->atmosphere, field);
+        describe_value(list, "atmosphere", field->name, value, field->count);
+    }
     text_free(&command);
 }
 

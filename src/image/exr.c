@@ -227,9 +227,12 @@ static void chunk_unpack(const Reader *reader, const exr_decode_pipeline_t *pipe
     }
 }
 
-/* Whether the chunk lies within the picture and is as long as its channels need. */
+/* Whether the chunk lies within the picture and is as long as its channels need. OpenEXR does not compare the
+ * sizes of an uncompressed one: it would leave the missing pixels to chance. */
 static bool chunk_fits(const Reader *reader, const exr_decode_pipeline_t *pipeline, int x, int y) {
     const exr_chunk_info_t *chunk = &pipeline->chunk;
+    if (chunk->compression == EXR_COMPRESSION_NONE && chunk->packed_size != chunk->unpacked_size)
+        return false;
     uint64_t size = 0;
     for (int i = 0; i < pipeline->channel_count; i++) {
         const exr_coding_channel_info_t *channel = &pipeline->channels[i];
@@ -249,15 +252,10 @@ static exr_result_t chunk_decode(const Reader *reader, const exr_chunk_info_t *c
     if (!result) result = exr_decoding_choose_default_routines(reader->file, 0, &pipeline);
     pipeline.unpack_and_convert_fn = NULL;
     if (!result) result = exr_decoding_run(reader->file, 0, &pipeline);
+    if (!result && !pipeline.unpacked_buffer) result = EXR_ERR_CORRUPT_CHUNK;
     if (!result) {
-        bool packed = !pipeline.unpacked_buffer;
-        if (packed && pipeline.chunk.packed_size != pipeline.chunk.unpacked_size) {
-            result = EXR_ERR_CORRUPT_CHUNK;
-        } else {
-            float *place = reader->image->rgba + 4 * ((size_t)y * (size_t)reader->image->width + (size_t)x);
-            chunk_unpack(reader, &pipeline, packed ? pipeline.packed_buffer : pipeline.unpacked_buffer,
-                         place);
-        }
+        float *place = reader->image->rgba + 4 * ((size_t)y * (size_t)reader->image->width + (size_t)x);
+        chunk_unpack(reader, &pipeline, pipeline.unpacked_buffer, place);
     }
     exr_decoding_destroy(reader->file, &pipeline);
     return result;

@@ -29,11 +29,14 @@ void attribute_add(AttributeList *list, const char *name, const char *format, ..
     va_end(again);
 
     list->items = memory_grow(list->items, (size_t)list->count + 1, sizeof *list->items);
-    list->items[list->count++] = (Attribute){name, value};
+    list->items[list->count++] = (Attribute){strdup(name), value};
 }
 
 void attribute_list_free(AttributeList *list) {
-    for (int i = 0; i < list->count; i++) free(list->items[i].value);
+    for (int i = 0; i < list->count; i++) {
+        free(list->items[i].name);
+        free(list->items[i].value);
+    }
     free(list->items);
     *list = (AttributeList){0};
 }

@@ -15,8 +15,8 @@ void image_free(Image *image);
 
 /* One line of metadata. The name is an EXR attribute's, such as "magichour.seed". */
 typedef struct Attribute {
-    const char *name;
-    char *value; /* owned by the list */
+    char *name; /* both owned by the list */
+    char *value;
 } Attribute;
 
 /* A zeroed list is empty. */
