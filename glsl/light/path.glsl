@@ -1,4 +1,5 @@
 // The path: rays bounce in the scene, without air between the hits, and whoever escapes brings the sky's radiance back.
+#include "math/finite.glsl"
 #include "scene.glsl"
 
 void scene_intersect(Ray ray, INOUT(Hit) hit);
@@ -15,13 +16,13 @@ const float ROULETTE_SURVIVAL = 0.95;
 vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     vec3 throughput = vec3(1.0);
     int hits = 0;
+    bool escaped = false;
     bool alive = true;
     do {
         Hit hit = hit_none();
         scene_intersect(ray, hit);
-        alive = hit.t < INFINITY;
-        if (alive && hits == max_hits) throughput = vec3(0.0);
-        alive = alive && hits < max_hits;
+        escaped = hit.t >= INFINITY;
+        alive = !escaped && hits < max_hits;
         if (alive) {
             hit.position = ray.origin + hit.t * ray.direction;
             hit.normal = dot(hit.normal, ray.direction) > 0.0 ? -hit.normal : hit.normal;
@@ -33,9 +34,11 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             hits += 1;
             float brightest = max(throughput.x, max(throughput.y, throughput.z));
             float survival = hits < ROULETTE_HITS ? 1.0 : min(brightest, ROULETTE_SURVIVAL);
-            alive = v.y < survival && brightest > 0.0;
-            throughput = alive ? throughput / survival : vec3(0.0);
+            alive = !(v.y >= survival || brightest <= 0.0);
+            throughput /= alive ? survival : 1.0;
         }
     } while (alive);
-    return throughput * sky_radiance(ray.direction);
+    // A path that ended in the scene brings nothing, but for what is not finite: that must be seen and counted.
+    vec3 radiance = throughput * sky_radiance(ray.direction);
+    return escaped || !is_finite(radiance) ? radiance : vec3(0.0);
 }

@@ -174,7 +174,7 @@ static const Option table[] = {
          "a scene's parameter, sun.elevation, atmosphere.mie_g, ...; may be repeated"),
     STRING("--sky", "METHOD", R | F, sky, "paper[:NxM] or uniform[:L]; paper:16x4 by default"),
     STRING("--light", "METHOD", R | F, light, "cosine or paper; cosine by default"),
-    STRING("--sequence", "METHOD", R | F, sequence, "random"),
+    STRING("--sequence", "METHOD", R | F, sequence, "random or sobol; sobol by default"),
     TAKE("--spp", "N", R, take_samples, "samples per pixel; 64 by default"),
     TAKE("--time", "SECONDS", R, take_seconds, "stop after this time, with whole groups of samples"),
     TAKE("--seed", "N", R, take_seed, "of all random numbers; 0 by default"),

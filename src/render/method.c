@@ -8,7 +8,9 @@
 enum { MOST_STEPS = 65535 };
 
 static const char *const family_names[METHOD_FAMILIES] = {"--sky", "--light", "--sequence"};
-static const char *const defaults[METHOD_FAMILIES] = {"paper:16x4", "cosine", "random"};
+/* sobol: at 64 samples the crater's error is 1.8 % against random's 4.1 % (sun 30), 8.6 against 11.8 % (sun 5, looking
+ * across), at a fifth of the speed without a sky and none lost with one. */
+static const char *const defaults[METHOD_FAMILIES] = {"paper:16x4", "cosine", "sobol"};
 
 static const Method methods[] = {
     {METHOD_SKY, "paper", "pass/sky_paper.glsl",
@@ -20,6 +22,7 @@ static const Method methods[] = {
     {METHOD_LIGHT, "paper", "light/paper.glsl",
      "the author's bounce, lobe 2 cos^3 / pi: a picture of its own"},
     {METHOD_SEQUENCE, "random", "sequence/random.glsl", "independent numbers from a PCG hash"},
+    {METHOD_SEQUENCE, "sobol", "sequence/sobol.glsl", "Sobol pairs, shuffled and Owen-scrambled by hashing"},
 };
 
 const Method *method_get(int index) {

@@ -176,6 +176,7 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
         !film_create(&renderer->film, context, width, height, error)) {
         goto fail;
     }
+    renderer->rows_per_second = 1e6 / width; /* a guess on the low side, for the first draw */
     program_use(&renderer->program);
     set_camera(&renderer->program, scene, width, height);
     set_atmosphere(&renderer->program, scene);
@@ -202,9 +203,9 @@ static double now(void) {
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/* Rows for the next draw, about a tenth of a second's; whole tiles of llvmpipe's, which are 64 rows. */
+/* Rows for the next draw, about a tenth of a second's worth. */
 static int strip_rows(const Renderer *renderer, int rows_left) {
-    int rows = 64;
+    int rows = 1;
     while (rows < rows_left && rows * 2 < renderer->rows_per_second * 0.1) rows *= 2;
     return rows < rows_left ? rows : rows_left;
 }

@@ -1,0 +1,258 @@
+/* Whole pictures: against another renderer's, against what must come out exactly, and against themselves on other
+ * backends, threads and cuts. */
+#include "support.h"
+
+#include "image/compare.h"
+#include "render/renderer.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static Image render(const char *environment, const char *arguments) {
+    Image image;
+    Error error;
+    int status = support_run(environment, "render %s --quiet -o '%s'", arguments, support_path("picture.pfm"));
+    if (status == STATUS_NO_GL) {
+        print_message("%s", support_err);
+        skip();
+    }
+    if (status != 0) fail_msg("render %s: %s", arguments, support_err);
+    if (!image_read(&image, support_path("picture.pfm"), &error)) fail_msg("%s", error.text);
+    return image;
+}
+
+static Comparison compare(Image *a, Image *b) {
+    Comparison comparison;
+    Error error;
+    if (!compare_images(a, b, NULL, NULL, &comparison, &error)) fail_msg("%s", error.text);
+    assert_int_equal(comparison.nonfinite, 0);
+    return comparison;
+}
+
+static void expect_equal(const char *environment_a, const char *arguments_a, const char *environment_b,
+                         const char *arguments_b) {
+    Image a = render(environment_a, arguments_a), b = render(environment_b, arguments_b);
+    Comparison c = compare(&a, &b);
+    if (c.largest_percent != 0) {
+        fail_msg("%s %s and %s %s differ: relRMSE %g %%", environment_a, arguments_a, environment_b, arguments_b,
+                 c.rel_rmse_percent);
+    }
+    image_free(&a);
+    image_free(&b);
+}
+
+/* The crater by Mitsuba 3.9.1 under the converged sky (tests/data/README.md). The 64x16 sums' own bias is up to 1.3 %. */
+static void test_references(void **state) {
+    (void)state;
+    static const struct {
+        const char *arguments, *reference;
+    } cases[] = {
+        {"--sun 30 --spp 64", "crater_el30_azz_sphere_sky.exr"},
+        {"--sun 5,90 --spp 256", "crater_el5_azx_sphere_sky.exr"},
+        {"--sun -2 --spp 64 --set ball=0", "crater_el-2_azz_nosphere_sky.exr"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char arguments[256], path[128];
+        Image reference;
+        Error error;
+        snprintf(arguments, sizeof arguments, "scenes/crater.glsl --sky paper:64x16 --depth 8 --size 256x256 %s",
+                 cases[i].arguments);
+        snprintf(path, sizeof path, "tests/data/%s", cases[i].reference);
+        Image image = render("", arguments);
+        if (!image_read(&reference, path, &error)) fail_msg("%s", error.text);
+        Comparison c = compare(&image, &reference);
+        print_message("%s: relRMSE %.2f %%, bias %+.2f %+.2f %+.2f %%\n", cases[i].arguments, c.rel_rmse_percent,
+                      c.bias_percent[0], c.bias_percent[1], c.bias_percent[2]);
+        assert_true(c.rel_rmse_percent < 5);
+        for (int k = 0; k < 3; k++) assert_true(fabs(c.bias_percent[k]) < 2);
+        image_free(&image);
+        image_free(&reference);
+    }
+}
+
+/* All albedos 1 in surroundings of radiance 1, unlimited depth: every pixel is 1. */
+static void test_furnace(void **state) {
+    (void)state;
+    static const char *const methods[] = {"--light cosine", "--light paper", "--light cosine --sequence random"};
+    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
+        char arguments[256];
+        double mean = 0, worst = 0;
+        snprintf(arguments, sizeof arguments, "scenes/furnace.glsl --spp 1024 --size 128x128 %s", methods[i]);
+        Image image = render("", arguments);
+        int pixels = image.width * image.height;
+        for (int k = 0; k < pixels; k++) {
+            mean += (double)image.rgba[4 * k] / pixels;
+            worst = fmax(worst, fabs((double)image.rgba[4 * k] - 1));
+            assert_true(image.rgba[4 * k] == image.rgba[4 * k + 2]);
+        }
+        print_message("furnace, %s: mean %.6f, worst pixel %.4f off\n", methods[i], mean, worst);
+        assert_true(fabs(mean - 1) < 1e-3 && worst < 0.1);
+        image_free(&image);
+    }
+    /* Without long paths there is no roulette, and nothing is left to chance: a mirror alone is 1 to the last bits. */
+    Image image = render("", "scenes/furnace.glsl --spp 4 --size 64x64 --depth 1 --set albedo=0");
+    for (int k = 0; k < 64 * 64; k++) {
+        float value = image.rgba[4 * k];
+        assert_true(value == 0 || fabsf(value - 1) < 1e-6f || (value > 0 && value < 1));
+    }
+    image_free(&image);
+}
+
+/* A bowl of half a sphere sees half of itself and half of the sky from each of its points. With albedo a under a sky of 1 its
+ * radiance after N hits is the sum of (a/2)^n, n = 1 to N; and the plane's is a. */
+static void test_bowl(void **state) {
+    (void)state;
+    static const int depths[] = {1, 2, 3, 0};
+    for (int i = 0; i < 4; i++) {
+        char arguments[512];
+        double a = 0.8, expected = 0, bowl = 0;
+        snprintf(arguments, sizeof arguments,
+                 "scenes/crater.glsl --sky uniform --set ball=0 --set even_albedo=0.8 --set odd_albedo=0.8 "
+                 "--size 64x64 --spp 256 --depth %d --set camera.eye=0,2,0 --set camera.target=0,0,0 --set camera.fov=30",
+                 depths[i]);
+        for (int n = 1; n <= (depths[i] ? depths[i] : 60); n++) expected += pow(a / 2, n);
+        Image image = render("", arguments);
+        for (int k = 0; k < 64 * 64; k++) bowl += (double)image.rgba[4 * k] / (64 * 64);
+        if (fabs(bowl - expected) > 1e-3) fail_msg("depth %d: %.5f, expected %.5f", depths[i], bowl, expected);
+        image_free(&image);
+    }
+    Image plane = render("", "scenes/crater.glsl --sky uniform:2 --set even_albedo=0.8 --set odd_albedo=0.8 --size 8x8 --spp 4 "
+                             "--set camera.eye=50,2,0 --set camera.target=50,0,0 --set ball=0 --set camera.fov=10");
+    for (int k = 0; k < 64; k++) assert_true(fabsf(plane.rgba[4 * k] - 1.6f) < 1e-5f);
+    image_free(&plane);
+}
+
+static const char small[] = "scenes/crater.glsl --size 96x80 --spp 40 --sky paper:8x2";
+
+static void test_backends_agree(void **state) {
+    (void)state;
+    static const char *const others[] = {"osmesa", "glfw"};
+    Context context;
+    Error error;
+    char renderer[2][384], arguments[256];
+    int compared = 0;
+    if (!context_open(&context, "egl", &error)) {
+        print_message("egl: %s\n", error.text);
+        skip();
+    }
+    snprintf(renderer[0], sizeof renderer[0], "%s %s", context.renderer, context.version);
+    context_close(&context);
+    for (int i = 0; i < 2; i++) {
+        if (!context_open(&context, others[i], &error)) {
+            print_message("not compared: %s\n", error.text);
+            continue;
+        }
+        snprintf(renderer[1], sizeof renderer[1], "%s %s", context.renderer, context.version);
+        context_close(&context);
+        if (strcmp(renderer[0], renderer[1]) != 0) {
+            print_message("not compared: %s is '%s', egl is '%s'\n", others[i], renderer[1], renderer[0]);
+            continue;
+        }
+        char first[256];
+        snprintf(first, sizeof first, "%s --backend egl", small);
+        snprintf(arguments, sizeof arguments, "%s --backend %s", small, others[i]);
+        expect_equal("", first, "", arguments);
+        compared++;
+    }
+    if (!compared) skip();
+}
+
+static void test_threads_agree(void **state) {
+    (void)state;
+    expect_equal("LP_NUM_THREADS=1", small, "LP_NUM_THREADS=2", small);
+}
+
+static void test_seeds(void **state) {
+    (void)state;
+    expect_equal("", "scenes/crater.glsl --size 32x32 --spp 8 --seed 3", "", "scenes/crater.glsl --size 32x32 --spp 8 --seed 3");
+    Image a = render("", "scenes/crater.glsl --size 32x32 --spp 8 --seed 3");
+    Image b = render("", "scenes/crater.glsl --size 32x32 --spp 8 --seed 4");
+    assert_true(compare(&a, &b).rel_rmse_percent > 1);
+    image_free(&a);
+    image_free(&b);
+}
+
+static bool yes(void) {
+    return true;
+}
+
+/* However the work is cut into passes and strips, stopped and taken up again, the mean is the same to the bit. */
+static void test_cuts_agree(void **state) {
+    (void)state;
+    Context context;
+    Renderer renderer;
+    Scene scene;
+    Error error;
+    Image whole, cut;
+    FilmCount count;
+    support_open(&context);
+    assert_true(scene_read(&scene, "scenes/crater.glsl", &error));
+    RenderParams params = {.scene = &scene, .library = "glsl", .sky = "paper:8x2", .width = 48, .height = 40};
+    if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
+    assert_int_equal(renderer.group_samples, 16);
+    while (renderer.film.samples < 40) {
+        assert_true(renderer_pass(&renderer, 40 - renderer.film.samples, NULL, &error));
+    }
+    assert_true(film_read(&renderer.film, &whole, &count, &error));
+    film_reset(&renderer.film);
+    for (int i = 0; renderer.film.samples < 40; i++) {
+        renderer.rows_per_second = i % 2 ? 1 : 100;
+        /* Each group after the first is once begun and dropped. */
+        if (renderer.film.samples) {
+            uint64_t before = renderer.film.samples;
+            assert_true(renderer_pass(&renderer, 40 - before, yes, &error));
+            assert_true(renderer.film.samples == before);
+        }
+        assert_true(renderer_pass(&renderer, 40 - renderer.film.samples, NULL, &error));
+    }
+    assert_true(film_read(&renderer.film, &cut, &count, &error));
+    assert_memory_equal(whole.rgba, cut.rgba, 4 * 48 * 40 * sizeof(float));
+    assert_true(count.accepted == 40 * 48 * 40 && count.rejected == 0);
+    image_free(&cut);
+
+    /* Stopped in the first group, it keeps the rows that it came to. */
+    film_reset(&renderer.film);
+    renderer.rows_per_second = 1;
+    assert_true(renderer_pass(&renderer, 16, yes, &error));
+    assert_true(film_read(&renderer.film, &cut, &count, &error));
+    assert_true(count.accepted == 16 * 48 && cut.rgba[3] == 1 && cut.rgba[4 * 48 * 39 + 3] == 0);
+    image_free(&cut);
+    image_free(&whole);
+    renderer_destroy(&renderer);
+    scene_destroy(&scene);
+    context_close(&context);
+}
+
+/* Samples that are not finite are left out, counted and told. */
+static void test_nonfinite(void **state) {
+    (void)state;
+    const char *scene = support_write(
+        "nan.glsl", "#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n"
+                    "void scene_intersect(Ray ray, INOUT(Hit) hit) { hit_plane(ray, vec3(0, 1, 0), 0.0, 0, hit); }\n"
+                    "Material scene_material(Hit hit) {\n"
+                    "    float zero = hit.position.x * 0.0;\n"
+                    "    return matte(hit.position.x > 0.0 ? vec3(zero / zero) : vec3(0.5)); }\n");
+    Image image;
+    Error error;
+    support_expect(0, "samples were not finite and are left out",
+                   "render '%s' --sky uniform --size 32x32 --spp 4 --progress json -o '%s'", scene,
+                   support_path("nan.pfm"));
+    assert_non_null(strstr(support_err, "\"rejected\": "));
+    assert_null(strstr(support_err, "\"rejected\": 0,"));
+    assert_true(image_read(&image, support_path("nan.pfm"), &error));
+    for (int k = 0; k < 4 * 32 * 32; k++) assert_true(isfinite(image.rgba[k]));
+    /* Below the horizon on the picture's left (+x) every sample is lost, on its right none is. */
+    assert_true(image.rgba[4 * (31 * 32)] == 0 && image.rgba[4 * (31 * 32 + 31)] == 0.5f);
+    image_free(&image);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_references), cmocka_unit_test(test_furnace),       cmocka_unit_test(test_bowl),
+        cmocka_unit_test(test_seeds),      cmocka_unit_test(test_threads_agree), cmocka_unit_test(test_backends_agree),
+        cmocka_unit_test(test_cuts_agree), cmocka_unit_test(test_nonfinite),
+    };
+    return cmocka_run_group_tests_name("picture", tests, support_folder, support_clean);
+}
