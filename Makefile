@@ -7,12 +7,17 @@ BUILD := $(if $(filter release,$(MODE)),build,build/$(MODE))
 PKGS := OpenEXR libpng glfw3
 
 CC ?= cc
+ifeq ($(MODE),asan)
+SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=all
+KEEP := $(BUILD)/tests/asan/keep_libraries.o
+endif
 CPPFLAGS += -Isrc -Itests -D_DEFAULT_SOURCE -D_POSIX_C_SOURCE=200809L
 WARNINGS := -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes -Wstrict-prototypes
 CFLAGS ?= -O2 -g
-ALL_CFLAGS = -std=c11 $(WARNINGS) $(CFLAGS) $(if $(filter asan,$(MODE)),-fsanitize=address$(comma)undefined -fno-sanitize-recover=all) $(shell pkg-config --cflags $(PKGS))
+ALL_CFLAGS = -std=c11 $(WARNINGS) $(CFLAGS) $(SANITIZE) $(shell pkg-config --cflags $(PKGS))
+# An asan build exports its dlclose (tests/asan) to the libraries.
+LDFLAGS += $(if $(KEEP),-rdynamic)
 LDLIBS = $(shell pkg-config --libs $(PKGS)) -ldl -lm
-comma := ,
 
 SOURCES := $(sort $(wildcard src/*.c src/*/*.c))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
@@ -25,10 +30,10 @@ SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$
 
 all: $(BUILD)/magichour
 
-$(BUILD)/magichour: $(OBJECTS)
+$(BUILD)/magichour: $(OBJECTS) $(KEEP)
 	$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
-$(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(SUPPORT) $(LIBRARY)
+$(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(SUPPORT) $(LIBRARY) $(KEEP)
 	$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
 
 $(BUILD)/%.o: %.c $(BUILD)/flags

@@ -90,11 +90,16 @@ int support_clean(void **state) {
 }
 
 const char *support_path(const char *name) {
-    static char paths[8][768];
-    static int next;
-    char *path = paths[next++ % 8];
-    snprintf(path, sizeof paths[0], "%s/%s", folder, name);
-    return path;
+    /* A name keeps its buffer, so that a path stays good through a test. */
+    static char paths[64][768];
+    char path[768];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    for (int i = 0; i < 64; i++) {
+        if (!paths[i][0]) strcpy(paths[i], path);
+        if (strcmp(paths[i], path) == 0) return paths[i];
+    }
+    fail_msg("too many files in one test");
+    return NULL;
 }
 
 const char *support_write(const char *name, const char *text) {

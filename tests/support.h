@@ -25,7 +25,7 @@ void support_evaluate(const Context *context, const char *glsl, const float *inp
 int support_folder(void **state);
 int support_clean(void **state);
 
-/* folder/name in one of a few buffers used in turn. */
+/* folder/name; stays good to the program's end. */
 const char *support_path(const char *name);
 
 /* Writes a text file into the folder and gives its path. */

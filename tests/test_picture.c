@@ -1,5 +1,5 @@
-/* Whole pictures: against another renderer's, against what must come out exactly, and against themselves on other
- * backends, threads and cuts. */
+/* Whole pictures: against another renderer's, against what must come out exactly, and against themselves on
+ * other backends, threads and cuts. */
 #include "support.h"
 
 #include "image/compare.h"
@@ -13,7 +13,8 @@
 static Image render(const char *environment, const char *arguments) {
     Image image;
     Error error;
-    int status = support_run(environment, "render %s --quiet -o '%s'", arguments, support_path("picture.pfm"));
+    int status =
+        support_run(environment, "render %s --quiet -o '%s'", arguments, support_path("picture.pfm"));
     if (status == STATUS_NO_GL) {
         print_message("%s", support_err);
         skip();
@@ -36,14 +37,15 @@ static void expect_equal(const char *environment_a, const char *arguments_a, con
     Image a = render(environment_a, arguments_a), b = render(environment_b, arguments_b);
     Comparison c = compare(&a, &b);
     if (c.largest_percent != 0) {
-        fail_msg("%s %s and %s %s differ: relRMSE %g %%", environment_a, arguments_a, environment_b, arguments_b,
-                 c.rel_rmse_percent);
+        fail_msg("%s %s and %s %s differ: relRMSE %g %%", environment_a, arguments_a, environment_b,
+                 arguments_b, c.rel_rmse_percent);
     }
     image_free(&a);
     image_free(&b);
 }
 
-/* The crater by Mitsuba 3.9.1 under the converged sky (tests/data/README.md). The 64x16 sums' own bias is up to 1.3 %. */
+/* The crater by Mitsuba 3.9.1 under the converged sky (tests/data/README.md). The 64x16 sums' own bias is up
+ * to 1.3 %. */
 static void test_references(void **state) {
     (void)state;
     static const struct {
@@ -57,14 +59,14 @@ static void test_references(void **state) {
         char arguments[256], path[128];
         Image reference;
         Error error;
-        snprintf(arguments, sizeof arguments, "scenes/crater.glsl --sky paper:64x16 --depth 8 --size 256x256 %s",
-                 cases[i].arguments);
+        snprintf(arguments, sizeof arguments,
+                 "scenes/crater.glsl --sky paper:64x16 --depth 8 --size 256x256 %s", cases[i].arguments);
         snprintf(path, sizeof path, "tests/data/%s", cases[i].reference);
         Image image = render("", arguments);
         if (!image_read(&reference, path, &error)) fail_msg("%s", error.text);
         Comparison c = compare(&image, &reference);
-        print_message("%s: relRMSE %.2f %%, bias %+.2f %+.2f %+.2f %%\n", cases[i].arguments, c.rel_rmse_percent,
-                      c.bias_percent[0], c.bias_percent[1], c.bias_percent[2]);
+        print_message("%s: relRMSE %.2f %%, bias %+.2f %+.2f %+.2f %%\n", cases[i].arguments,
+                      c.rel_rmse_percent, c.bias_percent[0], c.bias_percent[1], c.bias_percent[2]);
         assert_true(c.rel_rmse_percent < 5);
         for (int k = 0; k < 3; k++) assert_true(fabs(c.bias_percent[k]) < 2);
         image_free(&image);
@@ -75,7 +77,8 @@ static void test_references(void **state) {
 /* All albedos 1 in surroundings of radiance 1, unlimited depth: every pixel is 1. */
 static void test_furnace(void **state) {
     (void)state;
-    static const char *const methods[] = {"--light cosine", "--light paper", "--light cosine --sequence random"};
+    static const char *const methods[] = {"--light cosine", "--light paper",
+                                          "--light cosine --sequence random"};
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
         char arguments[256];
         double mean = 0, worst = 0;
@@ -91,7 +94,8 @@ static void test_furnace(void **state) {
         assert_true(fabs(mean - 1) < 1e-3 && worst < 0.1);
         image_free(&image);
     }
-    /* Without long paths there is no roulette, and nothing is left to chance: a mirror alone is 1 to the last bits. */
+    /* Without long paths there is no roulette, and nothing is left to chance: a mirror alone is 1 to the last
+     * bits. */
     Image image = render("", "scenes/furnace.glsl --spp 4 --size 64x64 --depth 1 --set albedo=0");
     for (int k = 0; k < 64 * 64; k++) {
         float value = image.rgba[4 * k];
@@ -100,8 +104,8 @@ static void test_furnace(void **state) {
     image_free(&image);
 }
 
-/* A bowl of half a sphere sees half of itself and half of the sky from each of its points. With albedo a under a sky of 1 its
- * radiance after N hits is the sum of (a/2)^n, n = 1 to N; and the plane's is a. */
+/* A bowl of half a sphere sees half of itself and half of the sky from each of its points. With albedo a
+ * under a sky of 1 its radiance after N hits is the sum of (a/2)^n, n = 1 to N; and the plane's is a. */
 static void test_bowl(void **state) {
     (void)state;
     static const int depths[] = {1, 2, 3, 0};
@@ -110,16 +114,20 @@ static void test_bowl(void **state) {
         double a = 0.8, expected = 0, bowl = 0;
         snprintf(arguments, sizeof arguments,
                  "scenes/crater.glsl --sky uniform --set ball=0 --set even_albedo=0.8 --set odd_albedo=0.8 "
-                 "--size 64x64 --spp 256 --depth %d --set camera.eye=0,2,0 --set camera.target=0,0,0 --set camera.fov=30",
+                 "--size 64x64 --spp 256 --depth %d --set camera.eye=0,2,0 --set camera.target=0,0,0 --set "
+                 "camera.fov=30",
                  depths[i]);
         for (int n = 1; n <= (depths[i] ? depths[i] : 60); n++) expected += pow(a / 2, n);
         Image image = render("", arguments);
         for (int k = 0; k < 64 * 64; k++) bowl += (double)image.rgba[4 * k] / (64 * 64);
-        if (fabs(bowl - expected) > 1e-3) fail_msg("depth %d: %.5f, expected %.5f", depths[i], bowl, expected);
+        if (fabs(bowl - expected) > 1e-3)
+            fail_msg("depth %d: %.5f, expected %.5f", depths[i], bowl, expected);
         image_free(&image);
     }
-    Image plane = render("", "scenes/crater.glsl --sky uniform:2 --set even_albedo=0.8 --set odd_albedo=0.8 --size 8x8 --spp 4 "
-                             "--set camera.eye=50,2,0 --set camera.target=50,0,0 --set ball=0 --set camera.fov=10");
+    Image plane = render(
+        "",
+        "scenes/crater.glsl --sky uniform:2 --set even_albedo=0.8 --set odd_albedo=0.8 --size 8x8 --spp 4 "
+        "--set camera.eye=50,2,0 --set camera.target=50,0,0 --set ball=0 --set camera.fov=10");
     for (int k = 0; k < 64; k++) assert_true(fabsf(plane.rgba[4 * k] - 1.6f) < 1e-5f);
     image_free(&plane);
 }
@@ -166,7 +174,8 @@ static void test_threads_agree(void **state) {
 
 static void test_seeds(void **state) {
     (void)state;
-    expect_equal("", "scenes/crater.glsl --size 32x32 --spp 8 --seed 3", "", "scenes/crater.glsl --size 32x32 --spp 8 --seed 3");
+    expect_equal("", "scenes/crater.glsl --size 32x32 --spp 8 --seed 3", "",
+                 "scenes/crater.glsl --size 32x32 --spp 8 --seed 3");
     Image a = render("", "scenes/crater.glsl --size 32x32 --spp 8 --seed 3");
     Image b = render("", "scenes/crater.glsl --size 32x32 --spp 8 --seed 4");
     assert_true(compare(&a, &b).rel_rmse_percent > 1);
@@ -178,7 +187,8 @@ static bool yes(void) {
     return true;
 }
 
-/* However the work is cut into passes and strips, stopped and taken up again, the mean is the same to the bit. */
+/* However the work is cut into passes and strips, stopped and taken up again, the mean is the same to the
+ * bit. */
 static void test_cuts_agree(void **state) {
     (void)state;
     Context context;
@@ -229,11 +239,12 @@ static void test_cuts_agree(void **state) {
 static void test_nonfinite(void **state) {
     (void)state;
     const char *scene = support_write(
-        "nan.glsl", "#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n"
-                    "void scene_intersect(Ray ray, INOUT(Hit) hit) { hit_plane(ray, vec3(0, 1, 0), 0.0, 0, hit); }\n"
-                    "Material scene_material(Hit hit) {\n"
-                    "    float zero = hit.position.x * 0.0;\n"
-                    "    return matte(hit.position.x > 0.0 ? vec3(zero / zero) : vec3(0.5)); }\n");
+        "nan.glsl",
+        "#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n"
+        "void scene_intersect(Ray ray, INOUT(Hit) hit) { hit_plane(ray, vec3(0, 1, 0), 0.0, 0, hit); }\n"
+        "Material scene_material(Hit hit) {\n"
+        "    float zero = hit.position.x * 0.0;\n"
+        "    return matte(hit.position.x > 0.0 ? vec3(zero / zero) : vec3(0.5)); }\n");
     Image image;
     Error error;
     support_expect(0, "samples were not finite and are left out",
@@ -250,9 +261,10 @@ static void test_nonfinite(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_references), cmocka_unit_test(test_furnace),       cmocka_unit_test(test_bowl),
-        cmocka_unit_test(test_seeds),      cmocka_unit_test(test_threads_agree), cmocka_unit_test(test_backends_agree),
-        cmocka_unit_test(test_cuts_agree), cmocka_unit_test(test_nonfinite),
+        cmocka_unit_test(test_references),    cmocka_unit_test(test_furnace),
+        cmocka_unit_test(test_bowl),          cmocka_unit_test(test_seeds),
+        cmocka_unit_test(test_threads_agree), cmocka_unit_test(test_backends_agree),
+        cmocka_unit_test(test_cuts_agree),    cmocka_unit_test(test_nonfinite),
     };
     return cmocka_run_group_tests_name("picture", tests, support_folder, support_clean);
 }

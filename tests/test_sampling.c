@@ -97,7 +97,8 @@ static void test_random(void **state) {
     context_close(&context);
 }
 
-/* Sobol: in every aligned run of 256 samples of a pixel, each pair has one point in each elementary interval. */
+/* Sobol: in every aligned run of 256 samples of a pixel, each pair has one point in each elementary interval.
+ */
 static void test_elementary_intervals(void **state) {
     (void)state;
     static const int columns[] = {1, 2, 4, 8, 16, 32, 64, 128, 256};

@@ -8,8 +8,8 @@
 enum { MOST_STEPS = 65535 };
 
 static const char *const family_names[METHOD_FAMILIES] = {"--sky", "--light", "--sequence"};
-/* sobol: at 64 samples the crater's error is 1.8 % against random's 4.1 % (sun 30), 8.6 against 11.8 % (sun 5, looking
- * across), at a fifth of the speed without a sky and none lost with one. */
+/* sobol: at 64 samples the crater's error is 1.8 % against random's 4.1 % (sun 30), 8.6 against 11.8 % (sun
+ * 5, looking across), at a fifth of the speed without a sky and none lost with one. */
 static const char *const defaults[METHOD_FAMILIES] = {"paper:16x4", "cosine", "sobol"};
 
 static const Method methods[] = {

@@ -1,0 +1,241 @@
+/* The program as a user meets it: exit statuses, errors with their place, files whole or untouched. */
+#include "support.h"
+
+#include "base/file.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define TINY "--size 16x16 --spp 1 --sky uniform"
+#define MATERIAL "Material scene_material(Hit hit) { return Material(0, vec3(0)); }\n"
+#define INTERSECT "void scene_intersect(Ray ray, INOUT(Hit) hit) { }\n"
+
+static bool exists(const char *path) {
+    return access(path, F_OK) == 0;
+}
+
+static void test_usage(void **state) {
+    (void)state;
+    const char *out = support_path("out.exr");
+    support_expect(2, "which command?", " ");
+    support_expect(2, "unknown command 'paint'", "paint");
+    support_expect(2, "where to?", "render scenes/crater.glsl");
+    support_expect(2, ".exr, .png and .pfm can be written", "render scenes/crater.glsl -o '%s'",
+                   support_path("out.jpg"));
+    support_expect(2, "unknown method 'frob' (known: auto, paper, uniform)",
+                   "render scenes/crater.glsl --sky frob -o '%s'", out);
+    support_expect(2, "unknown method 'frob' (known: auto, cosine, paper)",
+                   "render scenes/crater.glsl --light frob -o '%s'", out);
+    support_expect(2, "unknown method 'frob' (known: auto, random, sobol)",
+                   "render scenes/crater.glsl --sequence frob -o '%s'", out);
+    support_expect(2, "is not paper:NxM", "render scenes/crater.glsl --sky paper:0x4 -o '%s'", out);
+    support_expect(2, "is not paper:NxM", "render scenes/crater.glsl --sky paper:4 -o '%s'", out);
+    support_expect(2, "is not a number from 0", "render scenes/crater.glsl --sky uniform:-1 -o '%s'", out);
+    support_expect(2, "takes no numbers", "render scenes/crater.glsl --light cosine:3 -o '%s'", out);
+    support_expect(2, "unknown backend 'vulkan' (known: auto, egl, osmesa, glfw)",
+                   "render scenes/crater.glsl --backend vulkan -o '%s'", out);
+    support_expect(2, "no preset 'dawn' (known: noon, afternoon, sunset, early-evening)",
+                   "render scenes/crater.glsl --preset dawn -o '%s'", out);
+    support_expect(2, "unknown atmosphere 'mars' (known: simmons2017, simmons2017-author)",
+                   "render scenes/crater.glsl --atmosphere mars -o '%s'", out);
+    support_expect(2, "--set scenes/crater.glsl has no setting 'frob'",
+                   "render scenes/crater.glsl --set frob=1 -o '%s'", out);
+    support_expect(2, "--set atmosphere.mie_g: 'nan' is not a number",
+                   "render scenes/crater.glsl --set atmosphere.mie_g=nan -o '%s'", out);
+    support_expect(2, "must be above atmosphere.planet_radius_m",
+                   "render scenes/crater.glsl --set atmosphere.top_radius_m=6e6 -o '%s'", out);
+    support_expect(2, "eye is at its target", "render scenes/crater.glsl --set camera.eye=0,0,0 -o '%s'",
+                   out);
+    support_expect(2, "each side must be from 1 to 16384",
+                   "render scenes/crater.glsl --size 100000x100000 -o '%s'", out);
+    support_expect(2, "at least 1x1 pixels", "render scenes/crater.glsl --size 0x0 -o '%s'", out);
+    support_expect(2, "no pass/trace.glsl there", "render scenes/crater.glsl --glsl-dir /tmp -o '%s'", out);
+    assert_false(exists(out));
+}
+
+/* llvmpipe silently ends all loops after 65,535 iterations: what would go past that is refused. */
+static void test_loop_budget(void **state) {
+    (void)state;
+    const char *out = support_path("out.exr");
+    support_expect(2, "needs 91302 loop iterations a sample; the limit is 65535",
+                   "render scenes/crater.glsl --sky paper:300x300 -o '%s'", out);
+    support_expect(2, "the limit is 65535", "render scenes/crater.glsl --depth 100000 -o '%s'", out);
+    support_expect(0, "", "render scenes/crater.glsl --sky paper:300x200 --spp 1 --size 4x4 --quiet -o '%s'",
+                   support_path("fits.exr"));
+}
+
+/* A sum that the budget just admits is whole: with twice the steps a converged sky changes by less than 1 %.
+ */
+static void test_loop_limit_holds(void **state) {
+    (void)state;
+    support_expect(0, "",
+                   "render scenes/crater.glsl --size 4x4 --spp 4 --sky paper:1000x60 --depth 8 --quiet "
+                   "--set camera.target=0,3,0 --set camera.fov=20 -o '%s'",
+                   support_path("limit.pfm"));
+    support_expect(0, "",
+                   "render scenes/crater.glsl --size 4x4 --spp 4 --sky paper:500x60 --depth 8 --quiet "
+                   "--set camera.target=0,3,0 --set camera.fov=20 -o '%s'",
+                   support_path("half.pfm"));
+    support_expect(0, "", "compare '%s' '%s' --max-relrmse 1", support_path("limit.pfm"),
+                   support_path("half.pfm"));
+}
+
+static void test_scene_errors(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *part;
+    } cases[] = {
+        {"//@ frob\n" INTERSECT MATERIAL, "bad.glsl:1: unknown annotation 'frob'"},
+        {INTERSECT, "bad.glsl:1: missing function: Material scene_material(Hit hit)"},
+        {MATERIAL, "bad.glsl:1: missing function: void scene_intersect(Ray ray, INOUT(Hit) hit)"},
+        {"// void scene_intersect() {}\n" MATERIAL, "missing function: void scene_intersect"},
+        {INTERSECT MATERIAL "\nfloat f() { return frob; }\n", "bad.glsl:4: "},
+        {INTERSECT "#include \"shape/sphere.glsl\"\n" MATERIAL "\n\nfloat f( { }\n", "bad.glsl:6: "},
+        {"#include \"shape/cube.glsl\"\n" INTERSECT MATERIAL, "bad.glsl:1: no file 'shape/cube.glsl'"},
+        {"", "missing function"},
+        {"\x01\x02\x03", "missing function"},
+    };
+    const char *out = support_path("out.exr");
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const char *scene = support_write("bad.glsl", cases[i].text);
+        support_expect(3, cases[i].part, "render '%s' " TINY " -o '%s'", scene, out);
+    }
+    support_expect(3, "none.glsl: cannot be read: No such file", "render none.glsl -o '%s'", out);
+    support_expect(3, "scenes: cannot be read: Is a directory", "render scenes -o '%s'", out);
+    assert_false(exists(out));
+}
+
+/* The driver's complaint about a file that the scene includes names that file. */
+static void test_included_error(void **state) {
+    (void)state;
+    support_write("part.glsl", "\n\nfloat part() { return vec3(1.0); }\n");
+    const char *scene = support_write("whole.glsl", "#include \"part.glsl\"\n" INTERSECT MATERIAL);
+    support_expect(3, "part.glsl:3: ", "render '%s' " TINY " -o '%s'", scene, support_path("out.exr"));
+}
+
+static void test_outputs(void **state) {
+    (void)state;
+    Error error;
+    const char *old = support_path("old.exr");
+    support_expect(5, "No such file or directory", "render scenes/crater.glsl " TINY " -o /none/a.exr");
+    support_expect(5, "/dev/full: cannot be written: No space left",
+                   "render scenes/crater.glsl " TINY " -o /dev/full");
+    assert_int_equal(symlink("/dev/full", support_path("full.png")), 0);
+    support_expect(5, "No space left", "render scenes/crater.glsl " TINY " -o '%s'",
+                   support_path("full.png"));
+    support_expect(0, "", "render scenes/crater.glsl " TINY " --quiet -o /dev/null");
+
+    /* A failing run leaves the old file alone; a good one replaces it and leaves nothing else behind. */
+    assert_true(file_replace(old, "old", 3, &error));
+    support_expect(2, "", "render scenes/crater.glsl --sky frob -o '%s'", old);
+    struct stat status;
+    assert_int_equal(stat(old, &status), 0);
+    assert_int_equal(status.st_size, 3);
+    support_expect(0, "", "render scenes/crater.glsl " TINY " --quiet -o '%s' -o '%s'", old,
+                   support_path("new.png"));
+    assert_int_equal(stat(old, &status), 0);
+    assert_true(status.st_size > 100);
+    char listing[1024];
+    snprintf(listing, sizeof listing, "ls '%s' | grep -c 'exr\\.\\|png\\.' | grep -qx 0", support_path(""));
+    assert_int_equal(system(listing), 0);
+}
+
+/* Without any way to OpenGL, and with one way closed. */
+static void test_no_gl(void **state) {
+    (void)state;
+    const char *out = support_path("out.exr");
+    const char *closed =
+        "DISPLAY= WAYLAND_DISPLAY= MAGICHOUR_OSMESA=/none.so __EGL_VENDOR_LIBRARY_FILENAMES=/none.json";
+    int status = support_run(closed, "render scenes/crater.glsl -o '%s'", out);
+    if (status != 4 || !strstr(support_err, "magichour: no OpenGL context: egl: ") ||
+        !strstr(support_err, "osmesa: ") || !strstr(support_err, "glfw: ")) {
+        fail_msg("%d: %s", status, support_err);
+    }
+    assert_int_equal(
+        support_run("MAGICHOUR_OSMESA=/none.so", "render scenes/crater.glsl --backend osmesa -o '%s'", out),
+        4);
+    assert_false(exists(out));
+    assert_int_equal(support_run(closed, "info"), 0);
+    assert_non_null(strstr(support_out, "osmesa   refused: "));
+    assert_non_null(strstr(support_out, "simmons2017-author"));
+}
+
+static void test_progress(void **state) {
+    (void)state;
+    static const char *const keys[] = {"\"samples\": 32",       "\"paths\": 8192",   "\"seconds\": ",
+                                       "\"startup_seconds\": ", "\"paths_per_s\": ", "\"rejected\": 0"};
+    support_expect(0, "\"done\": true",
+                   "render scenes/crater.glsl --size 16x16 --spp 32 --sky uniform --progress json -o '%s'",
+                   support_path("out.exr"));
+    const char *last = strstr(support_err, "{\"done\": true");
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) assert_non_null(strstr(last, keys[i]));
+    assert_non_null(strstr(support_out, "Mpaths/s"));
+    support_expect(0, "", "render scenes/crater.glsl " TINY " --quiet -o '%s'", support_path("out.exr"));
+    assert_string_equal(support_out, "");
+    assert_string_equal(support_err, "");
+}
+
+/* Ctrl-C saves the picture so far; so does the end of the time. */
+static void test_interrupt(void **state) {
+    (void)state;
+    const char *program = getenv("MAGICHOUR");
+    const char *out = support_path("interrupted.exr");
+    char command[2048];
+    snprintf(command, sizeof command,
+             "timeout --preserve-status -s INT 2 '%s' render scenes/crater.glsl --size 256x256 --spp "
+             "4000000000 --quiet "
+             "-o '%s'; exit $?",
+             program ? program : "build/magichour", out);
+    int status = system(command);
+    assert_int_equal(WEXITSTATUS(status), 130);
+    support_expect(0, "", "compare '%s' '%s'", out, out);
+    assert_non_null(strstr(support_out, "65536, 0 not finite"));
+    support_expect(0, "", "render scenes/crater.glsl --size 64x64 --time 0.3 --sky uniform -o '%s'", out);
+}
+
+static void test_compare(void **state) {
+    (void)state;
+    const char *a = support_path("a.exr"), *b = support_path("b.pfm"), *c = support_path("c.pfm");
+    support_expect(0, "", "render scenes/crater.glsl " TINY " --quiet -o '%s' -o '%s'", a, b);
+    support_expect(0, "", "render scenes/crater.glsl " TINY " --seed 1 --quiet -o '%s'", c);
+    support_expect(0, "", "compare '%s' '%s' --max-relrmse 0 --max-bias 0", a, b);
+    assert_non_null(strstr(support_out, "relRMSE      0.0000 %"));
+    support_expect(6, "differs from", "compare '%s' '%s' --max-relrmse 0.001", a, c);
+    support_expect(0, "", "compare '%s' '%s' --max-relrmse 1000", a, c);
+    support_expect(0, "", "render scenes/crater.glsl --size 8x8 --spp 1 --sky uniform --quiet -o '%s'", c);
+    support_expect(2, "16x16", "compare '%s' '%s'", a, c);
+}
+
+/* What users look into: a scene's parameters, and the shader that it makes. */
+static void test_looking(void **state) {
+    (void)state;
+    support_expect(0, "", "info scenes/crater.glsl");
+    assert_non_null(strstr(support_out, "--set ball=1"));
+    assert_non_null(strstr(support_out, "--preset sunset: sun.elevation=5"));
+    support_expect(0, "", "flatten scenes/crater.glsl --sky uniform");
+    assert_null(strstr(support_out, "sky_paper"));
+    assert_non_null(strstr(support_out, "#version 330 core"));
+    support_expect(0, "", "--help");
+    support_expect(0, "", "render --help");
+    support_expect(0, "", "--version");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_usage),
+        cmocka_unit_test(test_loop_budget),
+        cmocka_unit_test(test_loop_limit_holds),
+        cmocka_unit_test(test_scene_errors),
+        cmocka_unit_test(test_included_error),
+        cmocka_unit_test(test_outputs),
+        cmocka_unit_test(test_no_gl),
+        cmocka_unit_test(test_progress),
+        cmocka_unit_test(test_interrupt),
+        cmocka_unit_test(test_compare),
+        cmocka_unit_test(test_looking),
+    };
+    return cmocka_run_group_tests_name("cli", tests, support_folder, support_clean);
+}
