@@ -25,20 +25,23 @@ LIBRARY := $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 TESTS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_*.c))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$(wildcard tests/*.c)))
 
-.PHONY: all demo test check lint format deps clean install FORCE
+.PHONY: all demo gallery test check lint format deps clean install FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
 
 $(BUILD)/magichour: $(OBJECTS) $(KEEP)
-	$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	@echo link $@
+	@$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(SUPPORT) $(LIBRARY) $(KEEP)
-	$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+	@echo link $@
+	@$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
 
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
+	@echo compile $<
+	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
 
 # Changed flags rebuild everything.
 $(BUILD)/flags: FORCE
@@ -49,6 +52,11 @@ demo:
 	tools/deps.sh build
 	$(MAKE) all
 	tools/demo.sh $(BUILD)/magichour out
+
+# The README's pictures.
+gallery: all
+	tools/demo.sh $(BUILD)/magichour out/gallery --size 256x256
+	mkdir -p scenes/gallery && cp out/gallery/*.png scenes/gallery
 
 test:
 	tools/deps.sh build test

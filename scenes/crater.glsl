@@ -5,8 +5,8 @@
 //@ size    512 512
 //@ preset  noon           sun.elevation 60
 //@ preset  afternoon      sun.elevation 30
-//@ preset  sunset         sun.elevation 5   exposure 1
-//@ preset  early-evening  sun.elevation -2  exposure 5
+//@ preset  sunset         sun.elevation 5   exposure 0.5
+//@ preset  early-evening  sun.elevation -2  exposure 4
 
 // The paper's scene: a checkered plane with a crater, and a mirror ball that floats in it. The author's floor is white
 // and black; these albedos let other renderers draw the same.

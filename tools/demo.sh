@@ -1,6 +1,5 @@
 #!/bin/sh
 # The paper's figures: tools/demo.sh MAGICHOUR FOLDER [further options of `render`]
-# One line each: name, preset or sun, further settings.
 set -eu
 magichour=$1
 folder=$2
@@ -11,13 +10,14 @@ mkdir -p "$folder"
 figure() {
     name=$1
     shift
-    "$magichour" render "$scene" -o "$folder/$name.exr" -o "$folder/$name.png" --spp 256 "$@"
+    "$magichour" render "$scene" -o "$folder/$name.exr" -o "$folder/$name.png" "$@"
 }
 
-echo "The crater under the paper's sky (16x4 sums), 512x512, 256 samples a pixel; EXR and PNG in $folder/"
-figure noon --preset noon "$@"
-figure afternoon --preset afternoon "$@"
-figure sunset --preset sunset "$@"
-figure early-evening --preset early-evening "$@"
-figure sunset-without-rayleigh --preset sunset --set atmosphere.rayleigh=0 "$@"
-figure sunset-without-rayleigh-or-ball --preset sunset --set atmosphere.rayleigh=0 --set ball=0 "$@"
+echo "The crater under the paper's sky, EXR and PNG in $folder/:"
+figure noon --preset noon --spp 256 "$@"
+figure afternoon --preset afternoon --spp 256 "$@"
+figure sunset --preset sunset --spp 256 "$@"
+figure early-evening --preset early-evening --spp 256 "$@"
+# Aerosols alone scatter so narrowly about the sun that bounces find the light by chance: more samples.
+figure sunset-without-rayleigh --preset sunset --exposure 0 --set atmosphere.rayleigh=0 --spp 1024 "$@"
+figure sunset-without-rayleigh-or-ball --preset sunset --exposure 0 --set atmosphere.rayleigh=0 --set ball=0 --spp 1024 "$@"
