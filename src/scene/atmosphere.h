@@ -23,6 +23,10 @@ typedef struct Atmosphere {
     double mie_extinction_ratio;      /* extinction / scattering */
     double mie_g;                     /* Cornette-Shanks asymmetry */
     double rayleigh, mie;             /* multiply the densities; 0 leaves the term out */
+    double ozone;                     /* multiplies the density of the absorbing layer; 0 leaves it out */
+    double ozone_absorb_per_m[3];     /* at the layer's middle; it scatters nothing */
+    double ozone_height_m;            /* of the layer's middle, where its density is 1 */
+    double ozone_half_width_m;        /* over which that falls to 0, upward and downward, linearly */
     double sun_irradiance[3];         /* above the atmosphere, on a surface that faces the sun */
     double wavelengths_nm[3];
     double refractive_index;  /* of air at height 0, for Rayleigh coefficients from the formula */
