@@ -15,15 +15,20 @@ CPPFLAGS += -Isrc -Itests -D_DEFAULT_SOURCE -D_POSIX_C_SOURCE=200809L
 WARNINGS := -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes -Wstrict-prototypes
 CFLAGS ?= -O2 -g
 ALL_CFLAGS = -std=c11 $(WARNINGS) $(CFLAGS) $(SANITIZE) $(shell pkg-config --cflags $(PKGS))
+CXXFLAGS ?= -O2 -g
+ALL_CXXFLAGS = -std=c++20 -Wall -Wextra -ffp-contract=off $(CXXFLAGS) $(SANITIZE)
 # An asan build exports its dlclose (tests/asan) to the libraries.
 LDFLAGS += $(if $(KEEP),-rdynamic)
 LDLIBS = $(shell pkg-config --libs $(PKGS)) -ldl -lm
 
 SOURCES := $(sort $(wildcard src/*.c src/*/*.c))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
+BASE := $(filter $(BUILD)/src/base/%,$(OBJECTS))
 LIBRARY := $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 TESTS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_*.c))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$(wildcard tests/*.c)))
+CASES := $(patsubst %.glsl,$(BUILD)/%,$(wildcard tests/oracle/cases/*.glsl))
+ORACLE := $(BUILD)/tests/oracle/oracle.o $(CASES:%=%_float.o) $(CASES:%=%_double.o)
 
 .PHONY: all demo gallery test check lint format deps clean install FORCE
 .SECONDARY:
@@ -36,7 +41,27 @@ $(BUILD)/magichour: $(OBJECTS) $(KEEP)
 
 $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(SUPPORT) $(LIBRARY) $(KEEP)
 	@echo link $@
-	@$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+	@$(LINK) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+
+# The tests that ask the oracle: each of its cases is flattened and compiled, at float and at double.
+LINK = $(CC)
+$(BUILD)/tests/test_oracle: LINK = $(CXX)
+$(BUILD)/tests/test_oracle: $(ORACLE)
+
+$(BUILD)/tests/oracle/flatten: $(addprefix $(BUILD)/,tests/oracle/flatten.o src/scene/glsl_source.o) $(BASE) $(KEEP)
+	@echo link $@
+	@$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^
+
+$(BUILD)/tests/oracle/cases/%.cpp: tests/oracle/cases/%.glsl $(BUILD)/tests/oracle/flatten
+	@mkdir -p $(@D)
+	@$(BUILD)/tests/oracle/flatten $< $@
+
+COMPILE_CASE = echo compile $@; $(CXX) $(CPPFLAGS) $(ALL_CXXFLAGS) -c -o $@ $<
+$(BUILD)/%_float.o: $(BUILD)/%.cpp tests/oracle/glsl.hpp $(BUILD)/flags
+	@$(COMPILE_CASE) -DREAL=float -fsingle-precision-constant
+
+$(BUILD)/%_double.o: $(BUILD)/%.cpp tests/oracle/glsl.hpp $(BUILD)/flags
+	@$(COMPILE_CASE) -DREAL=double
 
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -44,9 +69,10 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
 
 # Changed flags rebuild everything.
+FLAGS = $(CC) $(CPPFLAGS) $(ALL_CFLAGS) $(LDFLAGS) $(CXX) $(ALL_CXXFLAGS)
 $(BUILD)/flags: FORCE
 	@mkdir -p $(@D)
-	@echo '$(CC) $(CPPFLAGS) $(ALL_CFLAGS) $(LDFLAGS)' | cmp -s - $@ || echo '$(CC) $(CPPFLAGS) $(ALL_CFLAGS) $(LDFLAGS)' > $@
+	@echo '$(FLAGS)' | cmp -s - $@ || echo '$(FLAGS)' > $@
 
 demo:
 	tools/deps.sh build
@@ -70,7 +96,7 @@ lint:
 	tools/lint.sh
 
 format:
-	clang-format -i $$(git ls-files '*.c' '*.h')
+	clang-format -i $$(git ls-files '*.c' '*.h' '*.hpp')
 
 deps:
 	tools/deps.sh build test lint
@@ -83,4 +109,4 @@ install: $(BUILD)/magichour
 clean:
 	rm -rf build
 
--include $(OBJECTS:.o=.d) $(TESTS:%=%.d) $(SUPPORT:.o=.d)
+-include $(OBJECTS:.o=.d) $(TESTS:%=%.d) $(SUPPORT:.o=.d) $(CASES:=.cpp.d) $(wildcard $(BUILD)/tests/oracle/*.d)

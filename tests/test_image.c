@@ -219,7 +219,7 @@ static void test_corrupt(void **state) {
     Text file = {0};
     Image image = image_create(9, 21); /* two chunks */
     for (int i = 0; i < 4 * 9 * 21; i++) image.rgba[i] = (float)(i % 7);
-    assert_true(exr_encode(&image, NULL, &file, &error));
+    assert_true(exr_encode(&image, &plain, &file, &error));
     corrupt(&file, true);
     text_free(&file);
     pfm_encode(&image, &file);

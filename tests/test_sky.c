@@ -12,11 +12,13 @@ static const long double R = 6360e3L, TOP = 6420e3L, HR = 7994, HM = 1200, BM = 
 static const long double BR[3] = {5.8e-6L, 13.5e-6L, 33.1e-6L};
 
 #define ATMOSPHERE                                                                                           \
-    "#include \"sky/paper.glsl\"\n"                                                                          \
+    "#include \"sky/absorber_none.glsl\"\n#include \"sky/paper.glsl\"\n"                                     \
     "const Atmosphere air = Atmosphere(6360e3, 60e3, 7994.0, 1200.0, vec3(5.8e-6, 13.5e-6, 33.1e-6), "       \
     "vec3(21e-6),\n"                                                                                         \
-    "                                  vec3(23.1e-6), 0.76, vec3(20.0));\n"                                  \
-    "uniform sampler2D inputs;\n"
+    "                                  vec3(23.1e-6), 0.76, vec3(0.0), 25e3, 15e3, vec3(20.0));\n"           \
+    "uniform sampler2D inputs;\n"                                                                            \
+    "vec3 paper(float h, vec3 view, vec3 sun, int n, int m) {\n"                                             \
+    "    return sky_shade(air, sky_paper(air, h, view, sun, n, m), view, sun);\n}\n"
 
 static long double altitude(long double x, long double y, long double z) {
     return sqrtl(x * x + y * y + z * z) - R;
@@ -108,7 +110,7 @@ static void test_against_long_double(void **state) {
         "vec4 evaluate(vec2 t) {\n"
         "    ivec2 at = ivec2(int(t.x) / 2 * 2, int(t.y));\n"
         "    vec4 view = texelFetch(inputs, at, 0), sun = texelFetch(inputs, at + ivec2(1, 0), 0);\n"
-        "    return vec4(sky_paper(air, view.w, view.xyz, sun.xyz, 16, 4), 1);\n}",
+        "    return vec4(paper(view.w, view.xyz, sun.xyz, 16, 4), 1);\n}",
         inputs, 2 * 64, ROWS / 64, results);
     double squares = 0, worst = 0;
     int flips = 0;
@@ -145,12 +147,11 @@ static void irradiance(const Context *context, double sun_deg, double out[3]) {
     float sun[3];
     direction(sun_deg * degree, 0, sun);
     snprintf(glsl, sizeof glsl,
-             ATMOSPHERE
-             "vec4 evaluate(vec2 t) {\n"
-             "    vec2 u = (t + 0.5) / 256.0;\n"
-             "    float c = sqrt(u.x), s = sqrt(1.0 - u.x), phi = 2.0 * PI * u.y;\n"
-             "    vec3 view = vec3(s * sin(phi), c, s * cos(phi));\n"
-             "    return vec4(PI * sky_paper(air, 1.0, view, vec3(%.9g, %.9g, %.9g), 16, 4), 1);\n}",
+             ATMOSPHERE "vec4 evaluate(vec2 t) {\n"
+                        "    vec2 u = (t + 0.5) / 256.0;\n"
+                        "    float c = sqrt(u.x), s = sqrt(1.0 - u.x), phi = 2.0 * PI * u.y;\n"
+                        "    vec3 view = vec3(s * sin(phi), c, s * cos(phi));\n"
+                        "    return vec4(PI * paper(1.0, view, vec3(%.9g, %.9g, %.9g), 16, 4), 1);\n}",
              (double)sun[0], (double)sun[1], (double)sun[2]);
     support_evaluate(context, glsl, NULL, SIDE, SIDE, results);
     memset(out, 0, 3 * sizeof *out);
@@ -197,11 +198,10 @@ static void test_shadow(void **state) {
         /* From the lowest view up to the zenith in the sun's azimuth, with samples enough to find a thin lit
          * part. */
         snprintf(glsl, sizeof glsl,
-                 ATMOSPHERE
-                 "vec4 evaluate(vec2 t) {\n"
-                 "    float e = radians(mix(%.4f, 90.0, (t.x + 64.0 * t.y) / 4095.0));\n"
-                 "    vec3 view = vec3(0.0, sin(e), cos(e));\n"
-                 "    return vec4(sky_paper(air, 0.0, view, vec3(%.9g, %.9g, %.9g), 4096, 4), 1);\n}",
+                 ATMOSPHERE "vec4 evaluate(vec2 t) {\n"
+                            "    float e = radians(mix(%.4f, 90.0, (t.x + 64.0 * t.y) / 4095.0));\n"
+                            "    vec3 view = vec3(0.0, sin(e), cos(e));\n"
+                            "    return vec4(paper(0.0, view, vec3(%.9g, %.9g, %.9g), 4096, 4), 1);\n}",
                  cases[i].lowest_view, (double)sun[0], (double)sun[1], (double)sun[2]);
         support_evaluate(&context, glsl, NULL, 64, 64, results);
         for (int k = 0; k < 64 * 64; k++) sum += (double)results[4 * k + 2];

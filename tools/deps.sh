@@ -5,8 +5,8 @@ set -eu
 
 # build: the compiler, the window and picture libraries, and an OpenGL that runs on any machine (Mesa's llvmpipe).
 build="gcc make pkg-config libc6-dev libgl-dev libegl-dev libglfw3-dev libopenexr-dev libpng-dev libegl1 libgl1-mesa-dri"
-# test: the test framework, and a display for the hidden-window backend.
-test="libcmocka-dev xvfb xauth"
+# test: the test framework, a display for the hidden-window backend, and C++ with GLM for the oracle.
+test="libcmocka-dev xvfb xauth g++ libglm-dev"
 lint="clang-format glslang-tools git"
 # Used where the system still has it; without it the other backends do the work.
 optional="libosmesa6"

@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 failed=0
 
 echo "lint: clang-format"
-git ls-files '*.c' '*.h' | xargs clang-format --dry-run -Werror || failed=1
+git ls-files '*.c' '*.h' '*.hpp' | xargs clang-format --dry-run -Werror || failed=1
 
 # src/ is layered: a file includes from its own folder and from folders before it in this list.
 echo "lint: upward includes"

@@ -12,6 +12,8 @@ static const struct {
     int min_inputs, max_inputs;
 } commands[] = {
     {COMMAND_RENDER, "render", "render SCENE -o FILE [options]", "render a scene offscreen", 1, 1},
+    {COMMAND_SKY, "sky", "sky -o FILE | --at FILE.csv [options]",
+     "the sky alone: a lat-long map, or listed directions", 0, 0},
     {COMMAND_COMPARE, "compare", "compare A B [options]", "errors of picture A against the reference B", 2,
      2},
     {COMMAND_INFO, "info", "info [SCENE] [options]", "backends, methods, atmospheres; a scene's parameters",
@@ -162,37 +164,40 @@ typedef struct Option {
 #define FLAG(name, commands, member, help)                                                                   \
     { name, NULL, commands, KIND_FLAG, NULL, offsetof(Options, member), help }
 
-enum { R = COMMAND_RENDER, C = COMMAND_COMPARE, I = COMMAND_INFO, F = COMMAND_FLATTEN };
+enum { R = COMMAND_RENDER, C = COMMAND_COMPARE, I = COMMAND_INFO, F = COMMAND_FLATTEN, S = COMMAND_SKY };
 
 static const Option table[] = {
-    TAKE("-o", "FILE", R, take_output, "write the picture: .exr, .png or .pfm; may be repeated"),
-    TAKE("--size", "WxH", R, take_size, "picture size in pixels; the scene's by default"),
-    TAKE("--sun", "EL[,AZ]", R, take_sun, "the sun's elevation and azimuth (from +z toward +x), degrees"),
+    TAKE("-o", "FILE", R | S, take_output, "write the picture: .exr, .png or .pfm; may be repeated"),
+    TAKE("--size", "WxH", R | S, take_size, "picture size in pixels; the scene's by default"),
+    TAKE("--sun", "EL[,AZ]", R | S, take_sun, "the sun's elevation and azimuth (from +z toward +x), degrees"),
     STRING("--preset", "NAME", R, preset, "one of the scene's presets"),
-    STRING("--atmosphere", "NAME", R, atmosphere, "a preset of the atmosphere (see info)"),
-    TAKE("--set", "NAME=VALUE", R, take_setting,
+    STRING("--atmosphere", "NAME", R | S, atmosphere, "a preset of the atmosphere (see info)"),
+    TAKE("--set", "NAME=VALUE", R | S, take_setting,
          "a scene's parameter, sun.elevation, atmosphere.mie_g, ...; may be repeated"),
-    STRING("--sky", "METHOD", R | F, sky, "paper[:NxM] or uniform[:L]; paper:16x4 by default"),
+    STRING("--sky", "METHOD", R | F | S, sky, "table[:METHOD], gauss[:n], paper[:NxM] or uniform[:L]"),
     STRING("--light", "METHOD", R | F, light, "cosine or paper; cosine by default"),
     STRING("--sequence", "METHOD", R | F, sequence, "random or sobol; sobol by default"),
     TAKE("--spp", "N", R, take_samples, "samples per pixel; 64 by default"),
     TAKE("--time", "SECONDS", R, take_seconds, "stop after this time, with whole groups of samples"),
     TAKE("--seed", "N", R, take_seed, "of all random numbers; 0 by default"),
     TAKE("--depth", "N", R, take_depth, "at most N surface hits; 0, the default, is unlimited"),
-    TAKE("--exposure", "EV", R, take_exposure, "for .png: radiance times 2^EV; the scene's by default"),
-    TAKE("--tone", "CURVE", R, take_tone, "for .png: author or none; author by default"),
-    STRING("--backend", "NAME", R | I, backend, "auto, egl, osmesa or glfw"),
-    STRING("--glsl-dir", "DIR", R | I | F, glsl_dir,
+    TAKE("--exposure", "EV", R | S, take_exposure, "for .png: radiance times 2^EV; the scene's by default"),
+    TAKE("--tone", "CURVE", R | S, take_tone, "for .png: author or none; author by default"),
+    STRING("--backend", "NAME", R | I | S, backend, "auto, egl, osmesa or glfw"),
+    STRING("--glsl-dir", "DIR", R | I | F | S, glsl_dir,
            "the GLSL library, in place of the one beside the program"),
     TAKE("--progress", "KIND", R, take_progress, "tty, json or none; tty on a terminal, else none"),
-    FLAG("--quiet", R, quiet, "no summary, no progress"),
+    STRING("--at", "FILE.csv", S, at,
+           "radiances for rows height_m,sun_el_deg,view_el_deg,az_deg (azimuth from the sun's), as CSV"),
+    FLAG("--sun-disk", S, sun_disk, "draw the sun's disk, 0.2666 degrees in radius, into the map"),
+    FLAG("--quiet", R | S, quiet, "no summary, no progress"),
     FLAG("-v", R, verbose, "say what is chosen and why"),
     TAKE("--max-relrmse", "PERCENT", C, take_max_relrmse, "exit with 6 if the relRMSE is above this"),
     TAKE("--max-bias", "PERCENT", C, take_max_bias, "exit with 6 if a channel's bias is beyond this"),
     STRING("--se", "FILE", C, standard_error,
            "standard errors of the difference: prints mean z^2 and the share of |z| > 4"),
     STRING("--mask", "FILE", C, mask, "compare only where this picture's red is above 0.5"),
-    FLAG("--help", R | C | I | F, help, "this text"),
+    FLAG("--help", R | C | I | F | S, help, "this text"),
 };
 enum { TABLE = sizeof table / sizeof *table };
 

@@ -11,7 +11,8 @@ typedef enum Command {
     COMMAND_RENDER = 1 << 0,
     COMMAND_COMPARE = 1 << 1,
     COMMAND_INFO = 1 << 2,
-    COMMAND_FLATTEN = 1 << 3
+    COMMAND_FLATTEN = 1 << 3,
+    COMMAND_SKY = 1 << 4
 } Command;
 
 /* Absent options are NULL, 0 or false, unless said otherwise. Strings are argv's own. */
@@ -35,7 +36,8 @@ typedef struct Options {
     int depth;
     bool has_exposure;
     double exposure_ev;
-    const char *tone, *progress;
+    const char *tone, *progress, *at;
+    bool sun_disk;
     bool quiet, verbose;
 
     double max_relrmse_percent, max_bias_percent; /* infinite when absent */

@@ -8,3 +8,4 @@ Status cmd_render(const Options *options, int argc, char **argv, Error *error);
 Status cmd_compare(const Options *options, Error *error);
 Status cmd_info(const Options *options, Error *error);
 Status cmd_flatten(const Options *options, Error *error);
+Status cmd_sky(const Options *options, int argc, char **argv, Error *error);

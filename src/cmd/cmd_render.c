@@ -44,6 +44,11 @@ static bool check_outputs(const Options *options, Error *error) {
     return true;
 }
 
+/* A pixel; 0 where only time limits. */
+static uint64_t wanted_samples(const Options *options) {
+    return options->samples ? options->samples : options->seconds > 0 ? 0 : DEFAULT_SAMPLES;
+}
+
 static bool prepare(Job *job, Error *error) {
     const Options *options = job->options;
     if (!check_outputs(options, error) || !setup_library(options, &job->library, error) ||
@@ -59,7 +64,8 @@ static bool prepare(Job *job, Error *error) {
                            .width = options->width,
                            .height = options->height,
                            .seed = options->seed,
-                           .max_hits = options->depth};
+                           .max_hits = options->depth,
+                           .samples = wanted_samples(options)};
     return context_open(&job->context, options->backend, error) &&
            renderer_create(&job->renderer, &job->context, &params, error);
 }
@@ -99,17 +105,6 @@ static bool render(Job *job, Error *error) {
     return true;
 }
 
-static void describe_value(AttributeList *list, const char *group, const char *name, const double *value,
-                           int count) {
-    char full[96];
-    snprintf(full, sizeof full, "magichour.%s.%s", group, name);
-    if (count == 3) {
-        attribute_add(list, full, "%.9g,%.9g,%.9g", value[0], value[1], value[2]);
-    } else {
-        attribute_add(list, full, "%.9g", value[0]);
-    }
-}
-
 /* The metadata: enough to make the picture again. */
 static void describe(const Job *job, int argc, char **argv, AttributeList *list) {
     const Scene *scene = &job->scene;
@@ -121,7 +116,7 @@ static void describe(const Job *job, int argc, char **argv, AttributeList *list)
     attribute_add(list, "magichour.scene", "%s", scene->path);
     attribute_add(list, "magichour.sun", "elevation %.9g azimuth %.9g", scene->sun_elevation_deg,
                   scene->sun_azimuth_deg);
-    attribute_add(list, "magichour.sky", "%s", renderer->sky.text);
+    attribute_add(list, "magichour.sky", "%s", renderer->sky.choice.text);
     attribute_add(list, "magichour.light", "%s", renderer->light.text);
     attribute_add(list, "magichour.sequence", "%s", renderer->sequence.text);
     attribute_add(list, "magichour.depth", "%d", job->options->depth);
@@ -135,13 +130,9 @@ static void describe(const Job *job, int argc, char **argv, AttributeList *list)
     for (int i = 0; i < scene->parameter_count; i++) {
         const Parameter *parameter = &scene->parameters[i];
         const double *value = parameter->value;
-        describe_value(list, "set", parameter->name, value, parameter->type == PARAMETER_COLOR ? 3 : 1);
+        setup_describe_value(list, "set", parameter->name, value, parameter->type == PARAMETER_COLOR ? 3 : 1);
     }
-    for (int i = 0; atmosphere_field(i); i++) {
-        const AtmosphereField *field = atmosphere_field(i);
-        const double *value = atmosphere_value(&scene->atmosphere, field);
-        describe_value(list, "atmosphere", field->name, value, field->count);
-    }
+    setup_describe_atmosphere(&scene->atmosphere, list);
     text_free(&command);
 }
 
@@ -166,7 +157,7 @@ static void say_choices(const Job *job) {
     fprintf(stderr, "backend %s (%s): %s, OpenGL %s\n", job->context.backend->name, job->context.detail,
             job->context.renderer, job->context.version);
     fprintf(stderr, "sky %s, light %s, sequence %s, at most %d hits, groups of %u samples\n",
-            renderer->sky.text, renderer->light.text, renderer->sequence.text, renderer->max_hits,
+            renderer->sky.choice.text, renderer->light.text, renderer->sequence.text, renderer->max_hits,
             renderer->group_samples);
     fprintf(stderr, "compiled: %s\n", renderer->source_files);
 }

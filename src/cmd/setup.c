@@ -57,7 +57,8 @@ static bool apply_settings(const Options *options, Scene *scene, Error *error) {
 }
 
 bool setup_scene(const Options *options, Scene *scene, Error *error) {
-    if (!scene_read(scene, options->inputs[0], error)) return false;
+    if (!options->input_count) *scene = scene_default("the sky");
+    if (options->input_count && !scene_read(scene, options->inputs[0], error)) return false;
     if (options->preset && !scene_choose_preset(scene, options->preset, error)) goto fail;
     if (options->atmosphere && !atmosphere_choose(&scene->atmosphere, options->atmosphere, error)) goto fail;
     if (options->has_sun) scene->sun_elevation_deg = options->sun_elevation_deg;
@@ -68,4 +69,23 @@ bool setup_scene(const Options *options, Scene *scene, Error *error) {
 fail:
     scene_destroy(scene);
     return false;
+}
+
+void setup_describe_value(AttributeList *list, const char *group, const char *name, const double *value,
+                          int count) {
+    char full[96];
+    snprintf(full, sizeof full, "magichour.%s.%s", group, name);
+    if (count == 3) {
+        attribute_add(list, full, "%.9g,%.9g,%.9g", value[0], value[1], value[2]);
+    } else {
+        attribute_add(list, full, "%.9g", value[0]);
+    }
+}
+
+void setup_describe_atmosphere(const Atmosphere *atmosphere, AttributeList *list) {
+    for (int i = 0; atmosphere_field(i); i++) {
+        const AtmosphereField *field = atmosphere_field(i);
+        setup_describe_value(list, "atmosphere", field->name, atmosphere_value(atmosphere, field),
+                             field->count);
+    }
 }

@@ -49,6 +49,7 @@
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                                       \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                                 \
     X(PFNGLUNIFORM1FPROC, Uniform1f)                                                                         \
+    X(PFNGLUNIFORM1FVPROC, Uniform1fv)                                                                       \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                         \
     X(PFNGLUNIFORM1UIPROC, Uniform1ui)                                                                       \
     X(PFNGLUNIFORM3FPROC, Uniform3f)                                                                         \

@@ -89,6 +89,13 @@ void program_set_uint(const Program *program, const char *name, unsigned value) 
     program->gl->Uniform1ui(locate(program, name), value);
 }
 
+void program_set_floats(const Program *program, const char *name, const double *values, int count) {
+    float *floats = memory_get((size_t)count, sizeof *floats);
+    for (int i = 0; i < count; i++) floats[i] = (float)values[i];
+    program->gl->Uniform1fv(locate(program, name), count, floats);
+    free(floats);
+}
+
 void program_set_vec3(const Program *program, const char *name, const double value[3]) {
     program->gl->Uniform3f(locate(program, name), (float)value[0], (float)value[1], (float)value[2]);
 }

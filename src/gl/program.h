@@ -21,6 +21,8 @@ void program_use(const Program *program);
 void program_set_float(const Program *program, const char *name, double value);
 void program_set_int(const Program *program, const char *name, int value);
 void program_set_uint(const Program *program, const char *name, unsigned value);
+void program_set_floats(const Program *program, const char *name, const double *values,
+                        int count); /* float name[count] */
 void program_set_vec3(const Program *program, const char *name, const double value[3]);
 
 /* Draws the triangle on the bound framebuffer, rows [row, row + rows) of a `width` wide target. */

@@ -69,7 +69,8 @@ static int64_t stream_write(exr_const_context_t context, void *data, const void 
 
 /* Writing */
 
-static exr_result_t header_write(exr_context_t file, const Image *image, const AttributeList *attributes) {
+static exr_result_t header_write(exr_context_t file, const Image *image, const ImageWriteParams *params) {
+    const AttributeList *attributes = params->attributes;
     int part;
     exr_result_t result = exr_add_part(file, NULL, EXR_STORAGE_SCANLINE, &part);
     if (!result) {
@@ -80,6 +81,7 @@ static exr_result_t header_write(exr_context_t file, const Image *image, const A
     for (int c = 0; !result && c < 4; c++) {
         result = exr_add_channel(file, part, names[c], EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
     }
+    if (!result && params->latlong) result = exr_attr_set_envmap(file, part, "envmap", EXR_ENVMAP_LATLONG);
     for (int i = 0; !result && attributes && i < attributes->count; i++) {
         const Attribute *attribute = &attributes->items[i];
         /* Readers from before OpenEXR 1.7 know names of up to 31 bytes only, so longer ones are only allowed
@@ -112,7 +114,7 @@ static exr_result_t chunk_write(exr_context_t file, const Image *image, int y) {
     return result;
 }
 
-bool exr_encode(const Image *image, const AttributeList *attributes, Text *out, Error *error) {
+bool exr_encode(const Image *image, const ImageWriteParams *params, Text *out, Error *error) {
     Stream stream = {.out = out, .start = out->size};
     complaint[0] = 0;
     exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
@@ -121,7 +123,7 @@ bool exr_encode(const Image *image, const AttributeList *attributes, Text *out, 
     settings.write_fn = stream_write;
     exr_context_t file = NULL;
     exr_result_t result = exr_start_write(&file, "EXR", EXR_WRITE_FILE_DIRECTLY, &settings);
-    if (!result) result = header_write(file, image, attributes);
+    if (!result) result = header_write(file, image, params);
     int32_t lines = 0;
     if (!result) result = exr_get_scanlines_per_chunk(file, 0, &lines);
     for (int y = 0; !result && y < image->height; y += lines) result = chunk_write(file, image, y);

@@ -84,7 +84,7 @@ bool image_write(const Image *image, const char *path, const ImageWriteParams *p
 
     Text file = {0};
     bool encoded = true;
-    if (format == FORMAT_EXR) encoded = exr_encode(image, params->attributes, &file, error);
+    if (format == FORMAT_EXR) encoded = exr_encode(image, params, &file, error);
     if (format == FORMAT_PNG) encoded = png_encode(image, params, &file, error);
     if (format == FORMAT_PFM) pfm_encode(image, &file);
     bool written =

@@ -38,6 +38,7 @@ typedef enum Tone {
 typedef struct ImageWriteParams {
     double exposure_ev;              /* display formats only: radiance is multiplied by 2^exposure */
     Tone tone;                       /* display formats only */
+    bool latlong;                    /* EXR: a map of all directions, in OpenEXR's lat-long layout */
     const AttributeList *attributes; /* may be NULL */
 } ImageWriteParams;
 
@@ -59,7 +60,7 @@ MUST_CHECK bool image_read(Image *image, const char *path, Error *error);
 
 /* The formats, one file each. Encoders append the file's bytes to `out`; their errors do not know the path.
  * Decoders take the whole file, with its path for the errors. */
-MUST_CHECK bool exr_encode(const Image *image, const AttributeList *attributes, Text *out, Error *error);
+MUST_CHECK bool exr_encode(const Image *image, const ImageWriteParams *params, Text *out, Error *error);
 MUST_CHECK bool exr_decode(Image *image, const char *path, const Text *file, Error *error);
 MUST_CHECK bool png_encode(const Image *image, const ImageWriteParams *params, Text *out, Error *error);
 void pfm_encode(const Image *image, Text *out);

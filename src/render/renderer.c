@@ -18,28 +18,46 @@ enum {
 
 static const double degree = 3.14159265358979323846 / 180;
 
+typedef struct Methods {
+    MethodChoice sky, light, sequence;
+} Methods;
+
 /* Loop iterations of one sample: itself, the path, and the sky. */
-static long sample_iterations(const Renderer *renderer) {
-    return 1 + (renderer->max_hits + 1L) + renderer->sky.iterations;
+static long sample_iterations(const MethodChoice *sky, int max_hits) {
+    return 1 + (max_hits + 1L) + (sky->table ? 0 : sky->iterations);
 }
 
-static bool choose_group(Renderer *renderer, Error *error) {
-    long iterations = sample_iterations(renderer);
-    if (iterations > LOOP_LIMIT) {
+static bool choose_group(Renderer *renderer, const MethodChoice *sky, Error *error) {
+    long iterations = sample_iterations(sky, renderer->max_hits);
+    if (iterations > LOOP_LIMIT || sky->iterations > LOOP_LIMIT) {
         return error_set(error, STATUS_USAGE,
                          "--sky %s with %d surface hits needs %ld loop iterations a sample; the limit is %d",
-                         renderer->sky.text, renderer->max_hits, iterations, LOOP_LIMIT);
+                         sky->text, renderer->max_hits, sky->table ? sky->iterations : iterations,
+                         LOOP_LIMIT);
     }
     renderer->group_samples = MOST_GROUP_SAMPLES;
     while (renderer->group_samples * iterations > LOOP_LIMIT) renderer->group_samples /= 2;
     return true;
 }
 
-static bool choose_methods(Renderer *renderer, const RenderParams *params, Error *error) {
-    const char *sky = params->sky ? params->sky : params->scene->sky[0] ? params->scene->sky : NULL;
-    return method_choose(&renderer->sky, METHOD_SKY, sky, error) &&
-           method_choose(&renderer->light, METHOD_LIGHT, params->light, error) &&
-           method_choose(&renderer->sequence, METHOD_SEQUENCE, params->sequence, error);
+static bool choose_methods(Methods *methods, const RenderParams *params, int width, int height,
+                           Error *error) {
+    const Scene *scene = params->scene;
+    const Atmosphere *a = &scene->atmosphere;
+    const char *sky = params->sky ? params->sky : scene->sky[0] ? scene->sky : NULL;
+    double paths = params->samples ? (double)params->samples * width * height : INFINITY;
+    bool above_air = a->observer_height_m > a->top_radius_m - a->planet_radius_m;
+    return method_choose_sky(&methods->sky, sky, paths, above_air, error) &&
+           method_choose(&methods->light, METHOD_LIGHT, params->light, error) &&
+           method_choose(&methods->sequence, METHOD_SEQUENCE, params->sequence, error);
+}
+
+static int picture_width(const RenderParams *params) {
+    return params->width ? params->width : params->scene->width;
+}
+
+static int picture_height(const RenderParams *params) {
+    return params->height ? params->height : params->scene->height;
 }
 
 /* The functions that a scene owes, looked for in its own text, so that the error is about the scene. */
@@ -59,24 +77,27 @@ static bool check_scene_functions(const RenderParams *params, Error *error) {
     return ok;
 }
 
-static bool flatten(const Renderer *renderer, const RenderParams *params, GlslSource *source, Error *error) {
-    const GlslSlot slots[] = {{"sequence", renderer->sequence.method->file},
-                              {"sky", renderer->sky.method->file},
-                              {"light", renderer->light.method->file},
-                              {"scene", params->scene->path},
-                              {NULL, NULL}};
+static bool flatten(const Methods *methods, const RenderParams *params, GlslSource *source, Error *error) {
+    GlslSlot slots[SKY_SLOTS + 4] = {{0}};
+    SkySlotText text;
+    sky_slots(&methods->sky, &params->scene->atmosphere, slots, &text);
+    slots[SKY_SLOTS] = (GlslSlot){"sequence", methods->sequence.method->file, NULL};
+    slots[SKY_SLOTS + 1] = (GlslSlot){"light", methods->light.method->file, NULL};
+    slots[SKY_SLOTS + 2] = (GlslSlot){"scene", params->scene->path, NULL};
     return check_scene_functions(params, error) &&
            glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
 }
 
 bool renderer_flatten(const RenderParams *params, GlslSource *source, Error *error) {
-    Renderer renderer = {0};
-    return choose_methods(&renderer, params, error) && flatten(&renderer, params, source, error);
+    Methods methods;
+    return choose_methods(&methods, params, picture_width(params), picture_height(params), error) &&
+           flatten(&methods, params, source, error);
 }
 
-static bool create_program(Renderer *renderer, const RenderParams *params, Error *error) {
+static bool create_program(Renderer *renderer, const Methods *methods, const RenderParams *params,
+                           Error *error) {
     GlslSource source;
-    if (!flatten(renderer, params, &source, error)) return false;
+    if (!flatten(methods, params, &source, error)) return false;
     bool ok = program_create(&renderer->program, renderer->gl, &source, error);
     for (int i = 0; i < source.file_count; i++) {
         size_t used = strlen(renderer->source_files);
@@ -117,35 +138,6 @@ static void set_camera(const Program *program, const Scene *scene, int width, in
     program_set_vec3(program, "picture_size", size);
 }
 
-static void set_atmosphere(const Program *program, const Scene *scene) {
-    const Atmosphere *a = &scene->atmosphere;
-    double elevation = scene->sun_elevation_deg * degree, azimuth = scene->sun_azimuth_deg * degree;
-    double sun[3] = {cos(elevation) * sin(azimuth), sin(elevation), cos(elevation) * cos(azimuth)};
-    double rayleigh[3], mie[3], extinction[3];
-    for (int c = 0; c < 3; c++) {
-        rayleigh[c] = a->rayleigh * a->rayleigh_scatter_per_m[c];
-        mie[c] = a->mie * a->mie_scatter_per_m[c];
-        extinction[c] = mie[c] * a->mie_extinction_ratio;
-    }
-    program_set_vec3(program, "sun_direction", sun);
-    program_set_float(program, "observer_height_m", a->observer_height_m);
-    program_set_float(program, "atmosphere.planet_radius_m", a->planet_radius_m);
-    program_set_float(program, "atmosphere.thickness_m", a->top_radius_m - a->planet_radius_m);
-    program_set_float(program, "atmosphere.rayleigh_scale_height_m", a->rayleigh_scale_height_m);
-    program_set_float(program, "atmosphere.mie_scale_height_m", a->mie_scale_height_m);
-    program_set_vec3(program, "atmosphere.rayleigh_scatter_per_m", rayleigh);
-    program_set_vec3(program, "atmosphere.mie_scatter_per_m", mie);
-    program_set_vec3(program, "atmosphere.mie_extinction_per_m", extinction);
-    program_set_float(program, "atmosphere.mie_g", a->mie_g);
-    program_set_vec3(program, "atmosphere.sun_irradiance", a->sun_irradiance);
-}
-
-static void set_sky(const Program *program, const MethodChoice *sky) {
-    program_set_int(program, "sky_view_samples", sky->counts[0]);
-    program_set_int(program, "sky_light_samples", sky->counts[1]);
-    program_set_float(program, "sky_level", sky->level);
-}
-
 static void set_parameters(const Program *program, const Scene *scene) {
     for (int i = 0; i < scene->parameter_count; i++) {
         const Parameter *parameter = &scene->parameters[i];
@@ -165,22 +157,24 @@ static void set_parameters(const Program *program, const Scene *scene) {
 
 bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
     const Scene *scene = params->scene;
-    int width = params->width ? params->width : scene->width;
-    int height = params->height ? params->height : scene->height;
+    int width = picture_width(params), height = picture_height(params);
+    SkyState state = {scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg};
+    Methods methods;
     *renderer = (Renderer){.gl = &context->gl,
                            .seed = params->seed,
-                           .max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS};
+                           .max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS,
+                           .rows_per_second = 1e6 / width}; /* a guess on the low side, for the first draw */
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
-        !choose_methods(renderer, params, error) || !choose_group(renderer, error) ||
-        !create_program(renderer, params, error) ||
-        !film_create(&renderer->film, context, width, height, error)) {
+        !choose_methods(&methods, params, width, height, error) ||
+        !choose_group(renderer, &methods.sky, error) || !create_program(renderer, &methods, params, error) ||
+        !film_create(&renderer->film, context, width, height, error) ||
+        !sky_create(&renderer->sky, context, params->library, &methods.sky, &scene->atmosphere, error) ||
+        !sky_use(&renderer->sky, &renderer->program, &state, error)) {
         goto fail;
     }
-    renderer->rows_per_second = 1e6 / width; /* a guess on the low side, for the first draw */
-    program_use(&renderer->program);
+    renderer->light = methods.light;
+    renderer->sequence = methods.sequence;
     set_camera(&renderer->program, scene, width, height);
-    set_atmosphere(&renderer->program, scene);
-    set_sky(&renderer->program, &renderer->sky);
     set_parameters(&renderer->program, scene);
     program_set_uint(&renderer->program, "seed", renderer->seed);
     program_set_int(&renderer->program, "max_hits", renderer->max_hits);
@@ -192,6 +186,7 @@ fail:
 }
 
 void renderer_destroy(Renderer *renderer) {
+    sky_destroy(&renderer->sky);
     film_destroy(&renderer->film);
     program_destroy(&renderer->program);
     *renderer = (Renderer){0};

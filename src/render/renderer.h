@@ -6,7 +6,7 @@
 #pragma once
 
 #include "gl/film.h"
-#include "render/method.h"
+#include "render/sky.h"
 #include "scene/scene.h"
 
 typedef struct RenderParams {
@@ -15,14 +15,16 @@ typedef struct RenderParams {
     const char *sky, *light, *sequence; /* NULL for the default; the scene's own sky comes before it */
     int width, height;                  /* 0 for the scene's */
     unsigned seed;
-    int max_hits; /* 0 is unlimited */
+    int max_hits;     /* 0 is unlimited */
+    uint64_t samples; /* likely to be taken a pixel, for auto's choice; 0 is many */
 } RenderParams;
 
 typedef struct Renderer {
     const GlApi *gl;
     Program program;
     Film film;
-    MethodChoice sky, light, sequence;
+    Sky sky;
+    MethodChoice light, sequence;
     int max_hits;
     unsigned seed;
     unsigned group_samples;  /* per pass; the last pass may take fewer */

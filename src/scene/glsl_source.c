@@ -96,6 +96,10 @@ static bool include_slot(Flattener *flattener, const char *name, size_t length, 
     }
     for (const GlslSlot *slot = flattener->slots; slot && slot->name; slot++) {
         if (strlen(slot->name) != length || strncmp(slot->name, name, length) != 0) continue;
+        if (slot->text) {
+            text_print(&flattener->source->text, "%s\n", slot->text);
+            return true;
+        }
         char *found = find_chosen(flattener, slot->path);
         if (!found) {
             return error_set(error, STATUS_SCENE, "%s:%d: no file '%s' for <%s>", path, line, slot->path,

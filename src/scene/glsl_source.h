@@ -17,6 +17,7 @@ typedef struct GlslSlot {
     const char *name; /* "sky" */
     const char
         *path; /* relative to the library, or to the working folder if it starts with '/' or exists there */
+    const char *text; /* instead of a path: GLSL that the host wrote */
 } GlslSlot;
 
 typedef struct GlslSource {

@@ -40,14 +40,18 @@ bool scene_check_size(double width, double height, Error *error) {
         width, height, SIDE_LIMIT, pixel_limit);
 }
 
+Scene scene_default(const char *path) {
+    return (Scene){.path = strdup(path),
+                   .eye = {0, 2, -4},
+                   .fov_deg = 90,
+                   .sun_elevation_deg = 30,
+                   .width = 512,
+                   .height = 512,
+                   .atmosphere = atmosphere_preset(0)->atmosphere};
+}
+
 bool scene_read(Scene *scene, const char *path, Error *error) {
-    *scene = (Scene){.path = strdup(path),
-                     .eye = {0, 2, -4},
-                     .fov_deg = 90,
-                     .sun_elevation_deg = 30,
-                     .width = 512,
-                     .height = 512,
-                     .atmosphere = atmosphere_preset(0)->atmosphere};
+    *scene = scene_default(path);
     if (annotation_read(scene, error)) return true;
     scene_destroy(scene);
     return false;

@@ -45,6 +45,9 @@ typedef struct Scene {
 /* Pictures' limits, as a sentence for errors and the check itself (STATUS_USAGE). */
 MUST_CHECK bool scene_check_size(double width, double height, Error *error);
 
+/* The scene that a file without annotations would be; `path` names it in errors. */
+Scene scene_default(const char *path);
+
 /* Reads a scene file's annotations; presets are tried out, so that a wrong one is found at once.
  * STATUS_SCENE with "path:line: ...". */
 MUST_CHECK bool scene_read(Scene *scene, const char *path, Error *error);

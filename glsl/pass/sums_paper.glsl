@@ -1,10 +1,11 @@
-// --sky paper:NxM
+// paper:NxM
 #include "pass/atmosphere.glsl"
+#include <absorber>
 #include "sky/paper.glsl"
 
 uniform int sky_view_samples;
 uniform int sky_light_samples;
 
-vec3 sky_radiance(vec3 direction) {
+SkySums sky_sums(vec3 direction) {
     return sky_paper(atmosphere, observer_height_m, direction, sun_direction, sky_view_samples, sky_light_samples);
 }

@@ -1,0 +1,19 @@
+// --sky table: the sums looked up, the phases applied. Above the horizon lies in the textures' first half of rows.
+#include "pass/atmosphere.glsl"
+#include "sky/table.glsl"
+
+uniform sampler2D sky_table_rayleigh;
+uniform sampler2D sky_table_mie;
+uniform vec3 sky_table_size; // texels across, and along in each half
+uniform float sky_horizon;
+uniform float sky_limb;
+uniform vec3 sun_level;
+
+vec3 sky_radiance(vec3 direction) {
+    vec3 position = table_position(sky_horizon, sky_limb, direction, sun_level);
+    vec2 texel = vec2(position.x * (sky_table_size.x - 1.0) + 0.5,
+                      position.y * (sky_table_size.y - 1.0) + 0.5 + position.z * sky_table_size.y);
+    vec2 at = texel / vec2(sky_table_size.x, 2.0 * sky_table_size.y);
+    SkySums sums = SkySums(fourth_power(texture(sky_table_rayleigh, at).rgb), fourth_power(texture(sky_table_mie, at).rgb));
+    return sky_shade(atmosphere, sums, direction, sun_direction);
+}

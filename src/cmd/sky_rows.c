@@ -1,0 +1,93 @@
+#include "cmd/sky_rows.h"
+
+#include "base/file.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char header[] = "height_m,sun_el_deg,view_el_deg,az_deg";
+
+static const struct {
+    const char *name;
+    double min, max;
+} columns[4] = {
+    {"height_m", 0, 1e6}, {"sun_el_deg", -90, 90}, {"view_el_deg", -90, 90}, {"az_deg", -360, 360}};
+
+/* Cuts the next word between commas, without the blanks about it; false at the line's end. */
+static bool next_word(char **line, char **word) {
+    if (!*line) return false;
+    *word = *line + strspn(*line, " \t");
+    char *end = *word + strcspn(*word, ",");
+    *line = *end ? end + 1 : NULL;
+    while (end > *word && strchr(" \t\r", end[-1])) end--;
+    *end = 0;
+    return true;
+}
+
+static bool read_row(SkyRow *row, char *line, Error *error) {
+    double values[4];
+    char *word;
+    for (int i = 0; i < 4; i++) {
+        if (!next_word(&line, &word)) {
+            return error_set(error, STATUS_USAGE, "a row needs %s", header);
+        }
+        if (!number_parse_range(columns[i].name, word, columns[i].min, columns[i].max, &values[i], error))
+            return false;
+        snprintf(row->words[i], sizeof row->words[i], "%s", word);
+    }
+    row->height_m = values[0];
+    row->sun_el_deg = values[1];
+    row->view_el_deg = values[2];
+    row->az_deg = values[3];
+    return true;
+}
+
+static bool read_line(SkyRows *rows, char *line, bool first, Error *error) {
+    const char *start = line + strspn(line, " \t\r");
+    if (!*start) return true;
+    if (*start == '#') {
+        text_print(&rows->comments, "%.*s\n", (int)strcspn(line, "\r"), line);
+        return true;
+    }
+    if (first && strncmp(start, "height_m", 8) == 0) return true;
+    rows->rows = memory_grow(rows->rows, rows->count + 1, sizeof *rows->rows);
+    rows->rows[rows->count] = (SkyRow){0};
+    return read_row(&rows->rows[rows->count++], line, error);
+}
+
+bool sky_rows_read(SkyRows *rows, const char *path, Error *error) {
+    Text file = {0};
+    *rows = (SkyRows){0};
+    bool ok = file_read(path, STATUS_USAGE, &file, error);
+    if (ok) text_append(&file, "", 0);
+    int number = 1;
+    bool first = true;
+    for (char *line = file.data; ok && *line; number++) {
+        char *end = line + strcspn(line, "\n");
+        bool last = !*end;
+        bool counts = line[strspn(line, " \t\r")] != '#';
+        *end = 0;
+        if (!read_line(rows, line, first, error)) ok = error_prefix(error, "%s:%d: ", path, number);
+        if (counts) first = false;
+        line = last ? end : end + 1;
+    }
+    text_free(&file);
+    if (!ok) sky_rows_free(rows);
+    return ok;
+}
+
+void sky_rows_free(SkyRows *rows) {
+    free(rows->rows);
+    text_free(&rows->comments);
+    *rows = (SkyRows){0};
+}
+
+void sky_rows_print(const SkyRows *rows, Text *out) {
+    text_print(out, "%s%s,R,G,B\n", text_string(&rows->comments), header);
+    for (size_t i = 0; i < rows->count; i++) {
+        const SkyRow *row = &rows->rows[i];
+        text_print(out, "%s,%s,%s,%s,%.9g,%.9g,%.9g\n", row->words[0], row->words[1], row->words[2],
+                   row->words[3], row->radiance[0], row->radiance[1], row->radiance[2]);
+    }
+}

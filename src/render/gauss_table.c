@@ -1,0 +1,44 @@
+#include "render/gauss_table.h"
+
+#include <math.h>
+
+/* Legendre's polynomials of degrees 0 to n at x; p[n + 1] is one degree more. */
+static void legendre(int n, double x, double *p) {
+    p[0] = 1;
+    p[1] = x;
+    for (int k = 1; k <= n; k++) p[k + 1] = ((2 * k + 1) * x * p[k] - k * p[k - 1]) / (k + 1);
+}
+
+/* The i-th root of P_n on (-1,1), ascending, by Newton from Tricomi's start; `slope` is P_n' there. */
+static double legendre_root(int n, int i, double *slope) {
+    double p[GAUSS_MOST + 2], x = -cos(acos(-1.0) * (i + 0.75) / (n + 0.5));
+    for (int step = 0; step < 20; step++) {
+        legendre(n, x, p);
+        *slope = n * (p[n - 1] - x * p[n]) / (1 - x * x);
+        x -= p[n] / *slope;
+    }
+    return x;
+}
+
+/* The polynomial through values f_j at the nodes is a sum of Legendre polynomials with coefficients
+ * (2k+1)/2 sum_j w_j P_k(x_j) f_j, exact since products of degree 2n-2 are; and P_k integrates from -1 to x
+ * to (P_{k+1}(x) - P_{k-1}(x)) / (2k+1). */
+GaussTable gauss_table(int nodes) {
+    GaussTable table = {{0}, {0}, {0}};
+    double x[GAUSS_MOST], p[GAUSS_MOST][GAUSS_MOST + 2];
+    for (int i = 0; i < nodes; i++) {
+        double slope;
+        x[i] = legendre_root(nodes, i, &slope);
+        legendre(nodes, x[i], p[i]);
+        table.node[i] = (x[i] + 1) / 2;
+        table.weight[i] = 1 / ((1 - x[i] * x[i]) * slope * slope); /* half of (-1,1)'s */
+    }
+    for (int i = 0; i < nodes; i++) {
+        for (int j = 0; j < nodes; j++) {
+            double sum = x[i] + 1; /* k = 0 */
+            for (int k = 1; k < nodes; k++) sum += p[j][k] * (p[i][k + 1] - p[i][k - 1]);
+            table.cumulative[GAUSS_MOST * i + j] = sum / 2 * table.weight[j];
+        }
+    }
+    return table;
+}

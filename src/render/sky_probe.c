@@ -1,0 +1,88 @@
+#include "render/sky_probe.h"
+
+#include "base/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 256 }; /* directions are asked SIDE x SIDE at a time */
+
+static GLuint create_texture(const GlApi *gl) {
+    GLuint texture = 0;
+    gl->GenTextures(1, &texture);
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, SIDE, SIDE, 0, GL_RGBA, GL_FLOAT, NULL);
+    return texture;
+}
+
+static bool create_program(SkyProbe *probe, const char *library, const Atmosphere *atmosphere, Error *error) {
+    GlslSlot slots[SKY_SLOTS + 1] = {{0}};
+    SkySlotText text;
+    GlslSource source;
+    sky_slots(&probe->sky.choice, atmosphere, slots, &text);
+    if (!glsl_source_create(&source, library, "pass/sky_probe.glsl", slots, error)) return false;
+    bool ok = program_create(&probe->program, probe->sky.gl, &source, error);
+    glsl_source_destroy(&source);
+    return ok;
+}
+
+bool sky_probe_create(SkyProbe *probe, const Context *context, const char *library,
+                      const MethodChoice *choice, const Atmosphere *atmosphere, Error *error) {
+    const GlApi *gl = &context->gl;
+    *probe = (SkyProbe){0};
+    if (!sky_create(&probe->sky, context, library, choice, atmosphere, error)) return false;
+    if (!create_program(probe, library, atmosphere, error)) goto fail;
+    probe->texture[0] = create_texture(gl);
+    probe->texture[1] = create_texture(gl);
+    gl->GenFramebuffers(1, &probe->framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, probe->framebuffer);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, probe->texture[1], 0);
+    if (gl_check(gl, "sky probe", error)) return true;
+fail:
+    sky_probe_destroy(probe);
+    return false;
+}
+
+void sky_probe_destroy(SkyProbe *probe) {
+    const GlApi *gl = probe->sky.gl;
+    if (!gl) return;
+    if (probe->framebuffer) gl->DeleteFramebuffers(1, &probe->framebuffer);
+    gl->DeleteTextures(2, probe->texture);
+    program_destroy(&probe->program);
+    sky_destroy(&probe->sky);
+    *probe = (SkyProbe){0};
+}
+
+/* Up to SIDE x SIDE directions; whole rows go through `rows`, a buffer of that many. */
+static bool ask_some(SkyProbe *probe, const float *directions, size_t count, float *radiances, float *rows,
+                     Error *error) {
+    const GlApi *gl = probe->sky.gl;
+    int height = (int)((count + SIDE - 1) / SIDE);
+    memset(rows, 0, (size_t)height * SIDE * 4 * sizeof *rows);
+    memcpy(rows, directions, count * 4 * sizeof *rows);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, probe->framebuffer);
+    gl->Viewport(0, 0, SIDE, SIDE);
+    gl->BindTexture(GL_TEXTURE_2D, probe->texture[0]);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, SIDE, height, 0, GL_RGBA, GL_FLOAT, rows);
+    program_set_int(&probe->program, "probe_directions", 0);
+    program_draw(&probe->program, SIDE, 0, height);
+    gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl->ReadPixels(0, 0, SIDE, height, GL_RGBA, GL_FLOAT, rows);
+    memcpy(radiances, rows, count * 4 * sizeof *rows);
+    return gl_check(gl, "asking the sky", error);
+}
+
+bool sky_probe_ask(SkyProbe *probe, const SkyState *state, const float *directions, size_t count,
+                   float *radiances, Error *error) {
+    if (!sky_use(&probe->sky, &probe->program, state, error)) return false;
+    float *rows = memory_get((size_t)SIDE * SIDE * 4, sizeof *rows);
+    bool ok = true;
+    for (size_t done = 0; ok && done < count; done += (size_t)SIDE * SIDE) {
+        size_t some = count - done < (size_t)SIDE * SIDE ? count - done : (size_t)SIDE * SIDE;
+        ok = ask_some(probe, directions + 4 * done, some, radiances + 4 * done, rows, error);
+    }
+    free(rows);
+    return ok;
+}

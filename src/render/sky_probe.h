@@ -1,0 +1,19 @@
+/* The sky's radiance in listed directions, by a sky method on the GPU. */
+#pragma once
+
+#include "render/sky.h"
+
+typedef struct SkyProbe {
+    Sky sky;
+    Program program;
+    GLuint texture[2], framebuffer; /* directions in, radiances out */
+} SkyProbe;
+
+/* Whether there is ozone must not change afterwards. */
+MUST_CHECK bool sky_probe_create(SkyProbe *probe, const Context *context, const char *library,
+                                 const MethodChoice *choice, const Atmosphere *atmosphere, Error *error);
+void sky_probe_destroy(SkyProbe *probe);
+
+/* `directions`: 4 floats each, unit vectors (the fourth unused); `radiances`: 4 floats each, RGB and 1. */
+MUST_CHECK bool sky_probe_ask(SkyProbe *probe, const SkyState *state, const float *directions, size_t count,
+                              float *radiances, Error *error);

@@ -1,0 +1,6 @@
+// Lambert's surfaces under the paper's sky.
+#include "../inputs.glsl"
+#include "sequence/sobol.glsl"
+#include "light/cosine.glsl"
+#include "../paper_sky.glsl"
+#include "../crater.glsl"

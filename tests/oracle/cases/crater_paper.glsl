@@ -1,0 +1,6 @@
+// The author's bounce under the paper's sky.
+#include "../inputs.glsl"
+#include "sequence/random.glsl"
+#include "light/paper.glsl"
+#include "../paper_sky.glsl"
+#include "../crater.glsl"

@@ -1,0 +1,3 @@
+#include "../item.glsl"
+#include "sequence/random.glsl"
+#include "../sequence.glsl"

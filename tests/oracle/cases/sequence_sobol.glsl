@@ -1,0 +1,3 @@
+#include "../item.glsl"
+#include "sequence/sobol.glsl"
+#include "../sequence.glsl"

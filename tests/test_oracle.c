@@ -1,0 +1,269 @@
+/* The GLSL library by the GPU, and by C++ in float and in double: the same files, the same numbers. */
+#include "oracle/oracle.h"
+#include "support.h"
+
+#include <math.h>
+#include <string.h>
+
+ORACLE_CASE(atmosphere);
+ORACLE_CASE(checker);
+ORACLE_CASE(crater_cosine);
+ORACLE_CASE(crater_paper);
+ORACLE_CASE(crater_uniform);
+ORACLE_CASE(lobe_cosine);
+ORACLE_CASE(lobe_paper);
+ORACLE_CASE(paper);
+ORACLE_CASE(phase);
+ORACLE_CASE(sequence_random);
+ORACLE_CASE(sequence_sobol);
+ORACLE_CASE(shape);
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+static const double pi = 3.14159265358979323846;
+static const double heights[] = {0, 0.1, 1, 10, 300, 8e3, 2e4, 59999, 1e5, 1e6};
+
+static float inputs[8 * ORACLE_ITEMS];
+static unsigned random_state;
+static Context context;
+
+static double random_unit(void) {
+    random_state = random_state * 1664525u + 1013904223u;
+    return (random_state >> 8) / 16777216.0;
+}
+
+/* Skips the test where there is no GPU to compare with. */
+static void start(void **state) {
+    (void)state;
+    memset(inputs, 0, sizeof inputs);
+    random_state = 1;
+    support_open(&context);
+}
+
+/* Dense at the horizon, the level one and (from above the air, its edge too) the visible one: down to a
+ * millionth of a radian from it, on both sides. */
+static double elevation_near_horizon(double height_m) {
+    const double radius = 6360e3, top = 6420e3;
+    double choice = random_unit(), side = random_unit() < 0.5 ? -1 : 1;
+    double middle = choice < 0.4 ? 0 : -acos(radius / (radius + height_m));
+    if (choice > 0.7 && radius + height_m > top) middle = -acos(top / (radius + height_m));
+    double elevation = middle + side * pi / 2 * pow(10, -6 * random_unit());
+    return fmax(-pi / 2, fmin(pi / 2, elevation));
+}
+
+static void set_direction(float *out, double elevation, double azimuth) {
+    out[0] = (float)(cos(elevation) * sin(azimuth));
+    out[1] = (float)sin(elevation);
+    out[2] = (float)(cos(elevation) * cos(azimuth));
+}
+
+static void set_any_direction(float *out) {
+    set_direction(out, asin(2 * random_unit() - 1), 2 * pi * random_unit());
+}
+
+static void test_phase(void **state) {
+    static const double asymmetry[] = {-0.999, -0.95, -0.76, -0.3, 0, 0.3, 0.76, 0.95, 0.999};
+    static const OracleQuantity quantities[] = {
+        {"Rayleigh", .result = 0, .rms = 1e-6, .worst = 3e-5},
+        /* 1 - g^2 loses digits as g nears 1. */
+        {"Mie", .result = 1, .rms = 5e-6, .worst = 3e-5},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *view = inputs + 8 * i, *sun = view + 4;
+        /* From the peak's middle to opposite, at all scales. */
+        double angle = pi * pow(10, -5 * random_unit()), elevation = random_unit();
+        set_direction(sun, elevation, 1);
+        set_direction(view, elevation + (i % 2 ? angle : pi - angle), 1);
+        view[3] = (float)asymmetry[i % COUNT(asymmetry)];
+    }
+    oracle_compare(&context, ORACLE(phase), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+static void test_atmosphere(void **state) {
+    /* Altitudes matter against a scale height. Distances are relative, however short. */
+    static const OracleQuantity quantities[] = {
+        {"altitude along a ray", .result = 0, .condition = 5, .floor = 1200, .rms = 1e-6, .worst = 3e-5},
+        {"distance to the top", .result = 1, .floor = 1, .rms = 1e-6, .worst = 3e-5},
+        {"entry into the air", .result = 2, .condition = 6, .floor = 1, .rms = 1e-6, .worst = 3e-5,
+         .most_set_aside = 0.02},
+        {"exit from the air", .result = 3, .condition = 6, .floor = 1, .rms = 1e-6, .worst = 3e-5,
+         .most_set_aside = 0.02},
+        {"planet's shadow", .result = 4, .condition = 6, .floor = 1, .most_set_aside = 0.02},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *a = inputs + 8 * i;
+        a[0] = (float)heights[i % COUNT(heights)];
+        a[1] = (float)sin(elevation_near_horizon((double)a[0]));
+        a[2] = (float)pow(10, 6 * random_unit());
+    }
+    oracle_compare(&context, ORACLE(atmosphere), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+/* One of the 16 points may stand on the shadow's edge: a jump. */
+#define RADIANCE .condition = 4, .rms = 1e-6, .worst = 3e-5, .jump = 1e-3, .most_set_aside = 0.005
+
+static void test_paper(void **state) {
+    static const double suns_deg[] = {90, 60, 30, 10, 5, 2, 0.1, -2, -6, -12};
+    static const OracleQuantity quantities[] = {
+        {"red", RADIANCE, .result = 0, .floor = 1.43e-6},
+        {"green", RADIANCE, .result = 1, .floor = 1.47e-6},
+        {"blue", RADIANCE, .result = 2, .floor = 1.54e-6},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *view = inputs + 8 * i, *sun = view + 4;
+        view[3] = (float)heights[i % COUNT(heights)];
+        set_direction(view, elevation_near_horizon((double)view[3]), 2 * pi * random_unit());
+        set_direction(sun, suns_deg[i / COUNT(heights) % COUNT(suns_deg)] * pi / 180, 0);
+        sun[3] = (float)(i % 2);
+    }
+    oracle_compare(&context, ORACLE(paper), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+static void test_shape(void **state) {
+    static const OracleQuantity quantities[] = {
+        {"distance", .result = 0, .condition = 5, .rms = 1e-6, .worst = 3e-5, .most_set_aside = 0.05},
+        {"normal's x", .result = 1, .condition = 6, .floor = 1, .rms = 1e-6, .worst = 3e-5,
+         .most_set_aside = 0.05},
+        {"normal's y", .result = 2, .condition = 6, .floor = 1, .rms = 1e-6, .worst = 3e-5,
+         .most_set_aside = 0.05},
+        {"normal's z", .result = 3, .condition = 6, .floor = 1, .rms = 1e-6, .worst = 3e-5,
+         .most_set_aside = 0.05},
+        {"object", .result = 4, .condition = 5, .floor = 1, .most_set_aside = 0.05},
+    };
+    static const double radii[] = {0.01, 0.5, 2, 100};
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *origin = inputs + 8 * i, *direction = origin + 4;
+        double radius = radii[i / 3 % COUNT(radii)], reach = radius * (i % 2 ? 0.9 : 20), to[3], length = 0;
+        origin[3] = (float)(i % 3);
+        direction[3] = (float)radius;
+        for (int c = 0; c < 3; c++) {
+            origin[c] = (float)(reach * (2 * random_unit() - 1));
+            if (c == 1 && i % 3 == 2 && reach > radius) origin[c] = fabsf(origin[c]) + 0.3f;
+            to[c] = 1.2 * radius * (2 * random_unit() - 1) + (c == 1 ? 0.3 : 0) - (double)origin[c];
+            length += to[c] * to[c];
+        }
+        for (int c = 0; c < 3; c++) direction[c] = (float)(to[c] / sqrt(length));
+    }
+    oracle_compare(&context, ORACLE(shape), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+static void test_lobes(void **state) {
+    static const OracleQuantity quantities[] = {
+        {"point's x", .result = 0, .floor = 1, .rms = 1e-6, .worst = 3e-6},
+        {"point's y", .result = 1, .floor = 1, .rms = 1e-6, .worst = 3e-6},
+        {"point's z", .result = 2, .floor = 1, .rms = 1e-6, .worst = 3e-6},
+        {"bounce's x", .result = 4, .condition = 7, .floor = 1, .rms = 1e-6, .worst = 3e-6,
+         .most_set_aside = 0.001},
+        {"bounce's y", .result = 5, .condition = 7, .floor = 1, .rms = 1e-6, .worst = 3e-6,
+         .most_set_aside = 0.001},
+        {"bounce's z", .result = 6, .condition = 7, .floor = 1, .rms = 1e-6, .worst = 3e-6,
+         .most_set_aside = 0.001},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        for (int c = 0; c < 4; c++) inputs[8 * i + c] = (float)random_unit();
+        set_any_direction(inputs + 8 * i + 4);
+    }
+    oracle_compare(&context, ORACLE(lobe_cosine), inputs, quantities, COUNT(quantities));
+    oracle_compare(&context, ORACLE(lobe_paper), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+/* Whole numbers, and floats made of them, are the same to the bit. */
+static void test_sequences(void **state) {
+    static const OracleQuantity quantities[] = {
+        {"first x", .result = 0},  {"first y", .result = 1},  {"second x", .result = 2},
+        {"second y", .result = 3}, {"hash's x", .result = 4}, {"hash's y", .result = 5},
+        {"hash's z", .result = 6}, {"low bits", .result = 7},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *a = inputs + 8 * i;
+        a[0] = (float)(i % 4096);
+        a[1] = (float)(int)(4096 * random_unit());
+        a[2] = (float)(int)(i % 2 ? 16777216 * random_unit() : 256 * random_unit());
+        a[3] = (float)(i % 7);
+    }
+    oracle_compare(&context, ORACLE(sequence_random), inputs, quantities, COUNT(quantities));
+    oracle_compare(&context, ORACLE(sequence_sobol), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+static void test_checker(void **state) {
+    /* The colours themselves are rounded. */
+    static const OracleQuantity quantities[] = {{"colour", .result = 1, .worst = 1e-7, .rms = 1e-7}};
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        double size = i % 2 ? 10 : 1e5;
+        for (int c = 0; c < 3; c++) inputs[8 * i + c] = (float)(size * (2 * random_unit() - 1));
+        if (i % 5 == 0) inputs[8 * i] = floorf(inputs[8 * i]);
+    }
+    oracle_compare(&context, ORACLE(checker), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+enum { SIDE = 32, PIXELS = SIDE * SIDE };
+
+/* Paths split on an edge: a rounding decides what is hit, and all that follows differs. So pixels are
+ * counted. */
+static void check_picture(OracleCase oracle) {
+    static float gpu[4 * PIXELS];
+    static double in_float[4 * PIXELS], in_double[4 * PIXELS];
+    double mean[3] = {0}, squares = 0;
+    int split = 0, same = 0;
+    float *scene = inputs, *light = inputs + 4;
+    scene[0] = 0.5f, scene[1] = 0.8f, scene[2] = 0.1f, scene[3] = 16;
+    set_direction(light, 0.5, 0.3);
+    light[3] = 32;
+    oracle_evaluate_gpu(&context, oracle, inputs, SIDE, SIDE, gpu);
+    oracle.in_float(inputs, SIDE, SIDE, in_float);
+    oracle.in_double(inputs, SIDE, SIDE, in_double);
+    for (int i = 0; i < PIXELS; i++) {
+        double worst = 0;
+        for (int c = 0; c < 3; c++) {
+            int k = 4 * i + c;
+            mean[0] += (double)gpu[k] / (3 * PIXELS);
+            mean[1] += in_float[k] / (3 * PIXELS);
+            mean[2] += in_double[k] / (3 * PIXELS);
+            worst = fmax(worst, fabs((double)gpu[k] - in_float[k]) / fmax(in_float[k], 1e-6));
+        }
+        if (worst > 1e-3) {
+            split++;
+        } else {
+            same++;
+            squares += worst * worst;
+        }
+    }
+    print_message(
+        "%s: %d of %d pixels split, the others' RMS %.1e; means %.6f GPU, %.6f float, %.6f double\n",
+        oracle.name, split, PIXELS, sqrt(squares / fmax(same, 1)), mean[0], mean[1], mean[2]);
+    assert_true(mean[2] > 0);
+    assert_true(split <= PIXELS / 20);
+    assert_true(sqrt(squares / same) < 3e-5);
+    assert_true(fabs(mean[0] / mean[1] - 1) < 1e-3 && fabs(mean[0] / mean[2] - 1) < 1e-3);
+}
+
+static void test_paths(void **state) {
+    start(state);
+    check_picture(ORACLE(crater_uniform));
+    check_picture(ORACLE(crater_cosine));
+    check_picture(ORACLE(crater_paper));
+    context_close(&context);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_phase),   cmocka_unit_test(test_atmosphere), cmocka_unit_test(test_paper),
+        cmocka_unit_test(test_shape),   cmocka_unit_test(test_lobes),      cmocka_unit_test(test_sequences),
+        cmocka_unit_test(test_checker), cmocka_unit_test(test_paths),
+    };
+    return cmocka_run_group_tests_name("oracle", tests, support_folder, support_clean);
+}
