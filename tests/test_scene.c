@@ -147,7 +147,7 @@ static void test_flatten(void **state) {
     const char *path =
         support_write("a.glsl", "#version 330 core\n/* #include \"none.glsl\" */\n"
                                 "#include \"c.glsl\"\n  #  include \"b.glsl\"\n#include <slot>\nlast\n");
-    const GlslSlot slots[] = {{"slot", support_path("b.glsl")}, {NULL, NULL}};
+    const GlslSlot slots[] = {{"slot", support_path("b.glsl"), NULL}, {NULL, NULL, NULL}};
     if (!glsl_source_create(&source, "glsl", path, slots, &error)) fail_msg("%s", error.text);
     assert_string_equal(
         text_string(&source.text),
@@ -224,7 +224,7 @@ static void test_materials(void **state) {
     (void)state;
     GlslSource source;
     Error error;
-    const GlslSlot slots[] = {{"scene", "scenes/furnace.glsl"}, {NULL, NULL}};
+    const GlslSlot slots[] = {{"scene", "scenes/furnace.glsl", NULL}, {NULL, NULL, NULL}};
     const char *entry = support_write("entry.glsl", "#include <scene>\n#include <materials>\n");
     assert_true(glsl_source_create(&source, "glsl", entry, slots, &error));
     const char *text = text_string(&source.text);

@@ -58,8 +58,7 @@ typedef struct Sky {
 } Sky;
 
 typedef struct Panel {
-    double from, to;
-    double value[3], error[3];
+    double from, to, value[3], error[3];
 } Panel;
 
 typedef struct Breaks {
@@ -136,11 +135,10 @@ static double leg_integral(const Atmosphere *atmosphere, const Path *leg, double
     double sum = 0;
     while (from < to) {
         double end = fmin(to, from + fmax(from, leg->radius)), half = (end - from) / 2, part = 0;
-        for (int i = 0; i < GAUSS_PAIRS; i++) {
-            double near = from + half * (1 - gauss_node[i]), far = from + half * (1 + gauss_node[i]);
-            part += gauss_weight[i] *
-                    (density(atmosphere, altitude_along(leg->height, leg->radius, leg->rise, near)) +
-                     density(atmosphere, altitude_along(leg->height, leg->radius, leg->rise, far)));
+        for (int i = 0; i < 2 * GAUSS_PAIRS; i++) {
+            double t = from + half * (1 + (i % 2 ? 1 : -1) * gauss_node[i / 2]);
+            double height = altitude_along(leg->height, leg->radius, leg->rise, t);
+            part += gauss_weight[i / 2] * density(atmosphere, height);
         }
         sum += half * part;
         from = end;
@@ -153,10 +151,8 @@ static double leg_column(const Atmosphere *atmosphere, const Path *leg, const do
                          Density *density) {
     double sum = 0, from = 0;
     for (int i = 0; i < 3; i++) {
-        double gain = altitudes[i] - leg->height;
-        if (gain <= 0) continue;
+        double gain = fmax(0, altitudes[i] - leg->height);
         double to = fmin(leg->length, distance_out(leg->rise, gain * (2 * leg->radius + gain)));
-        if (to <= from) continue;
         sum += leg_integral(atmosphere, leg, from, to, density);
         from = to;
     }
@@ -174,11 +170,10 @@ static double exponential_column(const Atmosphere *atmosphere, const Path *leg, 
 static void add_leg(const Atmosphere *atmosphere, const Path *leg, Columns *columns) {
     double middle = atmosphere->ozone_height_m, half = atmosphere->ozone_half_width_m;
     double tent[3] = {middle - half, middle, middle + half};
-    if (atmosphere->rayleigh > 0)
-        columns->air += exponential_column(atmosphere, leg, atmosphere->rayleigh_scale_height_m, air_density);
+    double air = atmosphere->rayleigh_scale_height_m, aerosol = atmosphere->mie_scale_height_m;
+    if (atmosphere->rayleigh > 0) columns->air += exponential_column(atmosphere, leg, air, air_density);
     if (atmosphere->mie > 0)
-        columns->aerosol +=
-            exponential_column(atmosphere, leg, atmosphere->mie_scale_height_m, aerosol_density);
+        columns->aerosol += exponential_column(atmosphere, leg, aerosol, aerosol_density);
     if (atmosphere->ozone > 0) columns->ozone += leg_column(atmosphere, leg, tent, ozone_density);
 }
 
@@ -200,11 +195,6 @@ static Columns columns_along(const Atmosphere *atmosphere, double height, double
         add_leg(atmosphere, &leg, &columns);
     }
     return columns;
-}
-
-static Columns columns_to_top(const Atmosphere *atmosphere, double height, double rise) {
-    double square = square_above(atmosphere, top_height(atmosphere), height);
-    return columns_along(atmosphere, height, rise, distance_out(rise, square));
 }
 
 /* The part of a ray within the atmosphere, from `*start` on; false if there is none. */
@@ -239,7 +229,9 @@ static void scattered_at(const Sky *sky, double t, double out[3]) {
     const Path *path = &sky->path;
     double height = altitude_along(path->height, path->radius, path->rise, t);
     Columns view = columns_along(atmosphere, path->height, path->rise, t);
-    Columns sun = columns_to_top(atmosphere, height, sky->sun_rise + sky->nu * t);
+    double sun_rise = sky->sun_rise + sky->nu * t;
+    double to_top = distance_out(sun_rise, square_above(atmosphere, top_height(atmosphere), height));
+    Columns sun = columns_along(atmosphere, height, sun_rise, to_top);
     double air = sky->air_phase * air_density(atmosphere, height);
     double aerosol = sky->aerosol_phase * aerosol_density(atmosphere, height);
     for (int c = 0; c < 3; c++) {
@@ -303,8 +295,7 @@ static void add_altitude(Breaks *breaks, const Sky *sky, double altitude, bool s
 static void find_breaks(const Sky *sky, Breaks *breaks) {
     const Atmosphere *atmosphere = sky->atmosphere;
     const Path *path = &sky->path;
-    double end = altitude_along(path->height, path->radius, path->rise, path->length);
-    double low = fmin(path->height, end);
+    double low = fmin(path->height, altitude_along(path->height, path->radius, path->rise, path->length));
     *breaks = (Breaks){.length = path->length};
     if (-path->rise > 0 && -path->rise < path->length) {
         low = perigee_altitude(atmosphere, path->height, path->rise);
@@ -327,15 +318,15 @@ static void find_breaks(const Sky *sky, Breaks *breaks) {
 
 /* The shadow's edges are breaks, so a panel lies in it or out of it as its middle does. */
 static bool is_lit(const Sky *sky, double t) {
-    double square = square_above(sky->atmosphere, sky->path.height, 0) - sky->sun_rise * sky->sun_rise;
-    return sky->sun_rise + sky->nu * t >= 0 ||
-           t * (sky->across_squared * t + 2 * sky->across_rise) + square >= 0;
+    double square = square_above(sky->atmosphere, sky->path.height, 0) - sky->sun_rise * sky->sun_rise +
+                    t * (sky->across_squared * t + 2 * sky->across_rise);
+    return sky->sun_rise + sky->nu * t >= 0 || square >= 0;
 }
 
 static int start_panels(const Sky *sky, Panel panels[MAX_PANELS]) {
     Breaks breaks;
-    int count = 0;
     double from = 0;
+    int count = 0;
     find_breaks(sky, &breaks);
     for (int i = 0; i <= breaks.count; i++) {
         double to = i < breaks.count ? breaks.at[i] : breaks.length;
@@ -353,16 +344,15 @@ static void integrate(const Sky *sky, double total[3]) {
     Panel panels[MAX_PANELS];
     int count = start_panels(sky, panels);
     for (;;) {
-        double error[3] = {0}, worst = 0;
+        double worst = 0;
         int at = 0;
         bool good = true;
-        memset(total, 0, 3 * sizeof *total);
-        for (int i = 0; i < count; i++) {
-            for (int c = 0; c < 3; c++) total[c] += panels[i].value[c], error[c] += panels[i].error[c];
-        }
         for (int c = 0; c < 3; c++) {
+            double error = 0;
+            total[c] = 0;
+            for (int i = 0; i < count; i++) total[c] += panels[i].value[c], error += panels[i].error[c];
             double allowed = tolerance * total[c] + tolerance_floor;
-            good = good && error[c] <= allowed;
+            good = good && error <= allowed;
             for (int i = 0; i < count; i++) {
                 if (panels[i].error[c] > worst * allowed) worst = panels[i].error[c] / allowed, at = i;
             }
@@ -406,7 +396,6 @@ void sky_reference_transmittance(const Atmosphere *atmosphere, double height_m, 
     if (path_clip(atmosphere, height_m, unit[1], &path, &start)) {
         columns = columns_along(atmosphere, path.height, path.rise, path.length);
     }
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; c++)
         transmittance[c] = path.ground ? 0 : exp(-extinction(atmosphere, &columns, c));
-    }
 }
