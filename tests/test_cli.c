@@ -25,7 +25,7 @@ static void test_usage(void **state) {
     support_expect(2, "where to?", "render scenes/crater.glsl");
     support_expect(2, ".exr, .png and .pfm can be written", "render scenes/crater.glsl -o '%s'",
                    support_path("out.jpg"));
-    support_expect(2, "unknown method 'frob' (known: auto, paper, uniform)",
+    support_expect(2, "unknown method 'frob' (known: auto, gauss, table, paper, uniform)",
                    "render scenes/crater.glsl --sky frob -o '%s'", out);
     support_expect(2, "unknown method 'frob' (known: auto, cosine, paper)",
                    "render scenes/crater.glsl --light frob -o '%s'", out);
@@ -34,12 +34,18 @@ static void test_usage(void **state) {
     support_expect(2, "is not paper:NxM", "render scenes/crater.glsl --sky paper:0x4 -o '%s'", out);
     support_expect(2, "is not paper:NxM", "render scenes/crater.glsl --sky paper:4 -o '%s'", out);
     support_expect(2, "is not a number from 0", "render scenes/crater.glsl --sky uniform:-1 -o '%s'", out);
+    support_expect(2, "is not gauss:n with n from 4 to 12", "render scenes/crater.glsl --sky gauss:3 -o '%s'",
+                   out);
+    support_expect(2, "a table is filled by gauss or paper",
+                   "render scenes/crater.glsl --sky table:uniform -o '%s'", out);
+    support_expect(2, "a table is filled by gauss or paper",
+                   "render scenes/crater.glsl --sky table:table -o '%s'", out);
     support_expect(2, "takes no numbers", "render scenes/crater.glsl --light cosine:3 -o '%s'", out);
     support_expect(2, "unknown backend 'vulkan' (known: auto, egl, osmesa, glfw)",
                    "render scenes/crater.glsl --backend vulkan -o '%s'", out);
     support_expect(2, "no preset 'dawn' (known: noon, afternoon, sunset, early-evening)",
                    "render scenes/crater.glsl --preset dawn -o '%s'", out);
-    support_expect(2, "unknown atmosphere 'mars' (known: simmons2017, simmons2017-author)",
+    support_expect(2, "unknown atmosphere 'mars' (known: simmons2017, simmons2017-author, earth)",
                    "render scenes/crater.glsl --atmosphere mars -o '%s'", out);
     support_expect(2, "--set scenes/crater.glsl has no setting 'frob'",
                    "render scenes/crater.glsl --set frob=1 -o '%s'", out);
@@ -223,6 +229,19 @@ static void test_looking(void **state) {
     support_expect(0, "", "--version");
 }
 
+/* What auto takes: a table where many paths repay it, the direct method for few, and above the air. */
+static void test_auto(void **state) {
+    (void)state;
+    const char *out = support_path("auto.exr");
+    support_expect(0, "sky table:gauss:8, light cosine, sequence sobol",
+                   "render scenes/crater.glsl --spp 1 -v -o '%s'", out);
+    support_expect(0, "sky gauss:8,", "render scenes/crater.glsl --size 64x64 --spp 1 -v -o '%s'", out);
+    support_expect(0, "sky gauss:8,",
+                   "render scenes/crater.glsl --spp 1 --set atmosphere.observer_height_m=7e4 -v -o '%s'",
+                   out);
+    support_expect(0, "sky uniform:1,", "render scenes/furnace.glsl --size 8x8 --spp 1 -v -o '%s'", out);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_usage),
@@ -234,6 +253,7 @@ int main(void) {
         cmocka_unit_test(test_no_gl),
         cmocka_unit_test(test_progress),
         cmocka_unit_test(test_interrupt),
+        cmocka_unit_test(test_auto),
         cmocka_unit_test(test_compare),
         cmocka_unit_test(test_looking),
     };

@@ -33,9 +33,8 @@ static const double kronrod_gauss_weight[KRONROD_PAIRS + 1] = {
     0, 0.129484966168869693, 0, 0.279705391489276668, 0, 0.381830050505118945, 0, 0.417959183673469388};
 
 typedef struct Path {
-    double height, radius, rise; /* of the origin */
-    double length;
-    bool ground; /* ends there */
+    double height, radius, rise, length; /* the first three are the origin's */
+    bool ground;                         /* ends there */
 } Path;
 
 /* Density times length, in metres at density 1. */
