@@ -30,7 +30,7 @@ SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$
 CASES := $(patsubst %.glsl,$(BUILD)/%,$(wildcard tests/oracle/cases/*.glsl))
 ORACLE := $(BUILD)/tests/oracle/oracle.o $(CASES:%=%_float.o) $(CASES:%=%_double.o)
 
-.PHONY: all demo gallery test check lint format deps clean install FORCE
+.PHONY: all demo gallery atlas test check lint format deps clean install FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
@@ -83,6 +83,12 @@ demo:
 gallery: all
 	tools/demo.sh $(BUILD)/magichour out/gallery --size 256x256
 	mkdir -p scenes/gallery && cp out/gallery/*.png scenes/gallery
+
+# Charts of every sky method's error, over view and sun and height.
+atlas:
+	tools/deps.sh build atlas
+	$(MAKE) all
+	tools/atlas.sh $(BUILD)/magichour out/atlas scenes/gallery
 
 test:
 	tools/deps.sh build test

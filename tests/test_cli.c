@@ -229,6 +229,23 @@ static void test_looking(void **state) {
     support_expect(0, "", "--version");
 }
 
+/* The README's scene in ten lines is one. */
+static void test_readme_scene(void **state) {
+    (void)state;
+    Text readme = {0}, scene = {0};
+    Error error;
+    assert_true(file_read("README.md", STATUS_FAILURE, &readme, &error));
+    const char *line = strstr(text_string(&readme), "    //@ title");
+    assert_non_null(line);
+    for (; strncmp(line, "    ", 4) == 0; line = strchr(line, '\n') + 1) {
+        text_print(&scene, "%.*s", (int)(strchr(line, '\n') + 1 - line) - 4, line + 4);
+    }
+    support_expect(0, "", "render '%s' " TINY " --set size=1 -o '%s'",
+                   support_write("readme.glsl", text_string(&scene)), support_path("readme.png"));
+    text_free(&readme);
+    text_free(&scene);
+}
+
 /* What auto takes: a table where many paths repay it, the direct method for few, and above the air. */
 static void test_auto(void **state) {
     (void)state;
@@ -254,6 +271,7 @@ int main(void) {
         cmocka_unit_test(test_progress),
         cmocka_unit_test(test_interrupt),
         cmocka_unit_test(test_auto),
+        cmocka_unit_test(test_readme_scene),
         cmocka_unit_test(test_compare),
         cmocka_unit_test(test_looking),
     };

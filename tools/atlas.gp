@@ -23,8 +23,8 @@ do for [format in "svg png"] {
         set terminal pngcairo size 1500,560 font "DejaVu Sans,10" background "white"
     }
     set output file.".".format
-    set multiplot layout 1,3 margins 0.05,0.925,0.13,0.84 spacing 0.032,0 \
-        title "{/:Bold ".method."}: error against the adaptive quadrature, worst of three channels and five azimuths. Grey: no light." offset 0,-0.4
+    set multiplot layout 1,3 margins 0.05,0.925,0.13,0.865 spacing 0.032,0 \
+        title "{/:Bold ".method."}: error against the adaptive quadrature, worst of three channels and five azimuths. Grey: no light." offset 0,0.2
     set ylabel "sun elevation, degrees" offset 0.8,0
     unset colorbox
     set title "observer at 1 m (horizon at -0.03°)" offset 0,-0.6
@@ -33,9 +33,11 @@ do for [format in "svg png"] {
     set title "10 km (horizon at -3.21°)"
     plot folder."/map10000" using 1:2:3 with image
     set title "100 km, above the air (horizon at -10.11°)"
-    set colorbox user origin 0.935,0.13 size 0.014,0.71
+    set colorbox user origin 0.935,0.13 size 0.014,0.735
     set arrow 1 from limb, graph 0 to limb, graph 1 nohead front dashtype 3
+    set label 1 "the limb:\nno air above" at limb, graph 0.95 offset 0.6,0 front
     plot folder."/map100000" using 1:2:3 with image
     unset arrow 1
+    unset label 1
     unset multiplot
 }

@@ -32,6 +32,7 @@ function column(height, horizon, sun, row, x,    low, high, view, solid_angle, i
     high = view_deg(x + step / 2, horizon)
     if (high <= low) return
     view = view_deg(x, horizon)
+    if (view == -90 || view == 90) view = (low + high) / 2
     solid_angle = sine(high) - sine(low)
     for (i = 1; i <= azimuths; i++) {
         printf "%d,%g,%.9g,%g\n", height, sun, view, azimuth[i]
@@ -47,7 +48,7 @@ BEGIN {
     pi = atan2(0, -1)
     planet_m = 6360000
     linear_deg = 0.3
-    step = 0.14
+    step = 0.1 # of x
 
     sun = elevation[0] = -18; suns = 1
     suns_up_to(-12, 1); suns_up_to(10, 0.5); suns_up_to(20, 2); suns_up_to(90, 5)
@@ -59,7 +60,7 @@ BEGIN {
     for (h = 1; h <= heights; h++) {
         horizon = horizon_deg(height[h])
         for (row = 0; row < suns; row++)
-            for (i = -46; i < 47; i++) column(height[h], horizon, elevation[row], row, (i + 0.5) * step)
+            for (i = -66; i < 66; i++) column(height[h], horizon, elevation[row], row, (i + 0.5) * step)
     }
 
     for (row = 0; row < suns; row++)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs what is missing, by the system's packages: tools/deps.sh [build] [test] [lint]
+# Installs what is missing, by the system's packages: tools/deps.sh [build] [test] [lint] [atlas]
 # Says what it installs; needs nothing and does nothing when all is there.
 set -eu
 
@@ -8,6 +8,7 @@ build="gcc make pkg-config libc6-dev libgl-dev libegl-dev libglfw3-dev libopenex
 # test: the test framework, a display for the hidden-window backend, and C++ with GLM for the oracle.
 test="libcmocka-dev xvfb xauth g++ libglm-dev"
 lint="clang-format glslang-tools git"
+atlas="gnuplot-nox fonts-dejavu-core"
 # Used where the system still has it; without it the other backends do the work.
 optional="libosmesa6"
 
@@ -24,8 +25,9 @@ for group in "${@:-build}"; do
     build) packages="$build" ;;
     test) packages="$test" ;;
     lint) packages="$lint" ;;
+    atlas) packages="$atlas" ;;
     *)
-        echo "deps: unknown group '$group' (known: build, test, lint)" >&2
+        echo "deps: unknown group '$group' (known: build, test, lint, atlas)" >&2
         exit 2
         ;;
     esac
