@@ -8,6 +8,7 @@ function worst_of(a, b) { return a > b ? a : b }
 function relative(light, truth, least) { return 100 * (light > truth ? light - truth : truth - light) / worst_of(truth, least) }
 
 function count_in(key, error,    bin) {
+    if (error > max[key]) where[key] = $6 ", " sprintf("%.4g", $7) ", " $8 ", " substr("RGB", c + 1, 1)
     count[key]++
     squares[key] += error * error
     max[key] = worst_of(max[key], error)
@@ -59,11 +60,12 @@ $1 " " $2 != cell || $5 != cell_height { end_cell(); cell = $1 " " $2; cell_heig
         lit = 1
         error = relative(light, truth, least[c])
         worst = worst_of(worst, error)
-        if ($4 == "-") continue
-        key = $5 "," $4
-        if (error > max[key]) where[key] = sprintf("sun %g, view %.4g, az %g, %s", $6, $7, $8, substr("RGB", c + 1, 1))
-        count_in(key, error)
-        count_in(key ",mean", relative(light, truth, worst_of(1e-3 * flux[sky, c] / solid_angle[sky], 1e-30)))
+        above_mean = relative(light, truth, worst_of(1e-3 * flux[sky, c] / solid_angle[sky], 1e-30))
+        for (i = 1; i <= 2; i++) {
+            key = $5 "," (i == 1 ? "all" : $4)
+            count_in(key, error)
+            count_in(key ",mean", above_mean)
+        }
     }
 }
 
@@ -71,8 +73,8 @@ END {
     end_cell()
     heights = split("1 10000 100000", height, " ")
     split("1 m,10 km,100 km", height_name, ",")
-    bands = split("day low twilight late", band, " ")
-    split("5 to 90,0 to 2,-6 to -2,-12 to -6", band_name, ",")
+    bands = split("all day low twilight late", band, " ")
+    split("-18 to 90,5 to 90,0 to 2,-6 to -2,-12 to -6", band_name, ",")
     for (h = 1; h <= heights; h++) for (i = 1; i <= bands; i++) {
         key = height[h] "," band[i]
         printf "| %s | %s, %s | %s | %s | %s |\n", height_name[h], band[i], band_name[i], figures(key), \

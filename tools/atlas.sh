@@ -94,7 +94,7 @@ for method in paper:16x4 paper:64x16 gauss:4 gauss:6 gauss:8 gauss:12 table; do
         echo
         words $method
         echo
-        echo "| height | sun, degrees | RMS / p99 / max, % | the largest at | RMS / p99 / max, %, above 1e-3 of the mean |"
+        echo "| height | sun | RMS / p99 / max, % | the largest: sun, view, azimuth, channel | RMS / p99 / max, %, floor 1e-3 of the mean |"
         echo "|---|---|---|---|---|"
         cat "$folder/rows"
         echo

@@ -22,11 +22,11 @@ void sky_slots(const MethodChoice *choice, const Atmosphere *atmosphere, GlslSlo
     slots[3] = (GlslSlot){"gauss-nodes", NULL, text->nodes};
 }
 
-/* The table's own error over the sky: 0.02 to 0.06 % by day, 0.07 % with the sun at 0 to 2 degrees, 0.3 %
- * down to -6 (tests/test_sky_methods.c). */
+/* The table's own error over the sky, measured by tests/test_sky_methods.c: up to 0.04 % by day, 0.07 % with the sun at 0 to 2
+ * degrees, 0.1 % down to -6. */
 static void table_size(double sun_elevation_deg, int *columns, int *rows) {
-    *columns = sun_elevation_deg >= 2 ? 32 : sun_elevation_deg >= -3 ? 64 : 128;
-    *rows = 2 * *columns;
+    *columns = sun_elevation_deg >= 2 ? 32 : sun_elevation_deg >= -6.5 ? 64 : 128;
+    *rows = sun_elevation_deg >= 2 ? 96 : 2 * *columns;
 }
 
 static GLuint create_texture(const GlApi *gl) {
@@ -140,7 +140,7 @@ static bool resize(Sky *sky, const SkyState *state, Error *error) {
     int columns, rows;
     table_size(state->sun_elevation_deg, &columns, &rows);
     gl->BindFramebuffer(GL_FRAMEBUFFER, sky->framebuffer);
-    if (columns == sky->columns) return true;
+    if (columns == sky->columns && rows == sky->rows) return true;
     sky->columns = columns;
     sky->rows = rows;
     for (int i = 0; i < 2; i++) {
