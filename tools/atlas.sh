@@ -14,37 +14,36 @@ mkdir -p "$folder" "$charts"
 words() {
     case $1 in
     paper:16x4)
-        echo "Sixteen even steps along a ray miss the 1.2 km of aerosols: from the ground it is wrong by 3 to 30 % by day"
-        echo "and by half or more near the horizon at low sun and in twilight. From 10 km upward it stays within some 10 %"
-        echo "by day and high sun, and fails where the planet's shadow cuts the ray, since steps are lit or dark as a whole."
+        echo "Sixteen even steps along a ray miss the 1.2 km of aerosols, and four toward the sun more so: from the ground it is"
+        echo "wrong by 3 to 30 % with the sun above 10 degrees, by half or more near the horizon at low sun and in twilight. From"
+        echo "10 km it is within 16 % by day. Where the planet's shadow cuts the ray a whole step is lit or dark: several times"
+        echo "too bright, or black."
         ;;
     paper:64x16)
-        echo "The same failures at a tenth of the size: 1 to 7 % from the ground by day and in twilight. What stays bad, up"
-        echo "to 100 %, is light from a stretch of the ray shorter than a step: the dark red wedges about the horizon, with"
-        echo "the sun at -2 to -3 seen from 10 km and at -4 to -6 from 100 km."
+        echo "The same failures at a tenth of the size, 1 to 7 % from the ground. What stays bad, up to 100 %, is light from a"
+        echo "stretch of the ray shorter than a step: the dark wedges about the horizon, with the sun at -2 to -3 seen from"
+        echo "10 km and at -4 to -6 from 100 km."
         ;;
     gauss:4)
-        echo "Errors are smooth, some per cent by day near the horizon and 10 % in twilight: four nodes cannot follow a long"
-        echo "ray through dense air. It fails, by tens of per cent, on rays that graze the ground, at the terminator."
+        echo "Some per cent near the horizon by day and 10 % in twilight: four nodes cannot follow a long ray through dense air."
+        echo "It fails, by tens of per cent, where the sunlight itself grazes the ground and dims within a short stretch of the ray."
         ;;
     gauss:6)
-        echo "Within 0.7 % from the ground by day, within 3 % in twilight. Over 10 % only for rays from 10 or 100 km that graze"
-        echo "the ground where day ends."
+        echo "Within 0.7 % from the ground by day, within 6 % always. Over 10 % only from 10 and 100 km, on rays near the horizon"
+        echo "that meet grazing sunlight."
         ;;
     gauss:8)
-        echo "Within 0.04 % from the ground by day, 0.4 % at any sun. Over 1 % in two places only, both in blue: rays that"
-        echo "graze the ground from 100 km, and from 10 km with the sun at -2 to -3; light there comes through the longest"
-        echo "way there is in dense air."
+        echo "Within 0.04 % from the ground by day, within 1 % always. Over 1 % in few places, all in blue: about the horizon seen"
+        echo "from 100 km, and from 10 km with the sun at -2 to -3, where rays meet sunlight that grazes the ground."
         ;;
     gauss:12)
-        echo "Within 0.005 % from the ground; what remains by day is float arithmetic and the closed form of the columns. The"
-        echo "faults of gauss:8 are left as spots of 0.2 %."
+        echo "Within 0.001 % by day and 0.02 % always from the ground; most of it is float arithmetic and the closed form of the"
+        echo "columns. The faults of gauss:8 are left as spots of 0.2 %."
         ;;
     table)
-        echo "gauss:8 and the table's own error: 0.05 to 0.2 % by day. Three faults are the table's: over 10 % just below the"
-        echo "limb from above the air, where radiance falls to nothing within a texel; up to 14 % within ten degrees of the"
-        echo "zenith (from above, the nadir) in twilight, where one texel spans it and azimuth is lost; and some per cent along"
-        echo "the edges of the planet's shadow, the red curves."
+        echo "What gauss:8 errs, and by day some 0.1 % of the table's own, in stripes as wide as its texels. It is coarse at the edges"
+        echo "of the planet's shadow, the red curves: interpolation blurs them, by some per cent and in single directions by"
+        echo "more, and lets faint light into the shadow, which the last column shows once a sky is darker than its floor."
         ;;
     esac
 }
@@ -66,14 +65,16 @@ fi
     cat <<'END'
 # Where each sky method breaks
 
-Made by `make atlas` (tools/atlas.sh), under the default atmosphere. The error of a channel is |L - Lref| / max(Lref, floor), Lref the
-adaptive quadrature (`--sky reference`), floor (1.43, 1.47, 1.54)e-6 for R, G, B, a millionth of the zenith's radiance with the sun
-there. A chart's cell is the worst of three channels and five azimuths (0, 17, 61, 113 and 180 degrees from the sun's).
-Blue is fine, yellow is 0.1 %, red is wrong, grey has no light: the ground by night, the planet's shadow, what is above the air.
+Made by `make atlas` (tools/atlas.sh), under the default atmosphere. The error of a channel is |L - Lref| / max(Lref, floor):
+Lref by the adaptive quadrature (`--sky reference`), floor (1.43, 1.47, 1.54)e-6 for R, G, B, a millionth of the zenith's
+radiance with the sun there. A chart's cell is the worst of three channels and five azimuths (0, 17, 61, 113 and 180
+degrees from the sun's). Blue is fine, yellow is 0.1 %, red is wrong, grey has no light: the ground by night, the planet's
+shadow, what is above the air.
 
 The tables count the charts' directions alike, wherever there is light: they are dense about the visible horizon, so these
-figures are worse than a mean over the sky. In the last column the floor is a thousandth of the mean of that sun's sky, as the
-observer sees it above and below: what counts in a picture exposed for it. Angles in degrees, azimuth from the sun's.
+figures are worse than a mean over the sky. In the last column the floor is a thousandth of the mean of that sun's sky, as
+the observer sees it above and below: what counts in a picture exposed for it, except that under a sun far below the horizon
+it is the lower of the two. Angles in degrees, azimuth from the sun's.
 
 END
 } >"$folder/atlas.md"
