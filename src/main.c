@@ -13,7 +13,8 @@ static Status run(const Options *options, int argc, char **argv, Error *error) {
         return cmd_info(options, error);
     case COMMAND_FLATTEN:
         return cmd_flatten(options, error);
-    case COMMAND_SKY: return cmd_sky(options, argc, argv, error);
+    case COMMAND_SKY:
+        return cmd_sky(options, argc, argv, error);
     case COMMAND_NONE:
         break;
     }

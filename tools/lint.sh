@@ -38,8 +38,10 @@ check() {
     rm -f "$text.log"
 }
 for scene in scenes/*.glsl; do
-    for sky in paper uniform; do
-        for light in paper cosine; do check "$scene" --sky $sky --light $light; done
+    for sky in table gauss:4 gauss:12 paper uniform; do check "$scene" --sky $sky; done
+    for sky in table gauss paper; do check "$scene" --sky $sky --atmosphere earth; done
+    for sequence in sobol random; do
+        for light in paper cosine; do check "$scene" --light $light --sequence $sequence; done
     done
 done
 

@@ -22,8 +22,8 @@ void sky_slots(const MethodChoice *choice, const Atmosphere *atmosphere, GlslSlo
     slots[3] = (GlslSlot){"gauss-nodes", NULL, text->nodes};
 }
 
-/* The table's own error over the sky, measured by tests/test_sky_methods.c: up to 0.04 % by day, 0.07 % with the sun at 0 to 2
- * degrees, 0.1 % down to -6. */
+/* The table's own error over the sky, measured by tests/test_sky_methods.c: up to 0.04 % by day, 0.07 % with
+ * the sun at 0 to 2 degrees, 0.1 % down to -6. */
 static void table_size(double sun_elevation_deg, int *columns, int *rows) {
     *columns = sun_elevation_deg >= 2 ? 32 : sun_elevation_deg >= -6.5 ? 64 : 128;
     *rows = sun_elevation_deg >= 2 ? 96 : 2 * *columns;
