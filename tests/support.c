@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "gl/program.h"
+#include "gl/texture.h"
 
 #include <dirent.h>
 #include <stdio.h>
@@ -18,16 +19,6 @@ void support_open(Context *context) {
     if (context_open(context, "auto", &error)) return;
     print_message("no OpenGL here: %s\n", error.text);
     skip();
-}
-
-static GLuint create_texture(const GlApi *gl, int width, int height, const float *data) {
-    GLuint texture = 0;
-    gl->GenTextures(1, &texture);
-    gl->BindTexture(GL_TEXTURE_2D, texture);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, data);
-    return texture;
 }
 
 static void compile(const Context *context, const char *glsl, Program *program) {
@@ -54,8 +45,8 @@ void support_evaluate(const Context *context, const char *glsl, const float *inp
     GLuint framebuffer = 0, textures[2];
     Error error;
     compile(context, glsl, &program);
-    textures[0] = create_texture(gl, width, height, NULL);
-    textures[1] = create_texture(gl, width, height, inputs);
+    textures[0] = texture_create(gl, width, height, GL_NEAREST, NULL);
+    textures[1] = texture_create(gl, width, height, GL_NEAREST, inputs);
     gl->GenFramebuffers(1, &framebuffer);
     gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textures[0], 0);

@@ -1,3 +1,4 @@
+#include "base/clock.h"
 #include "base/file.h"
 #include "cmd/cmd.h"
 #include "cmd/interrupt.h"
@@ -11,7 +12,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { DEFAULT_SAMPLES = 64 };
 
@@ -25,12 +25,6 @@ typedef struct Job {
     FilmCount count;
     ProgressFigures figures;
 } Job;
-
-static double now(void) {
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 static bool check_outputs(const Options *options, Error *error) {
     if (!options->output_count)
@@ -85,14 +79,14 @@ static bool render(Job *job, Error *error) {
                               : options->seconds > 0 ? 0
                                                      : DEFAULT_SAMPLES;
     figures->target_seconds = options->seconds;
-    double start = now();
+    double start = clock_seconds();
     while (!enough(figures) && !interrupt_requested()) {
         uint64_t most = figures->target_samples ? figures->target_samples : UINT32_MAX;
         if (film->samples >= most) break;
         if (!renderer_pass(&job->renderer, most - film->samples, interrupt_requested, error)) return false;
         figures->samples = film->samples;
         figures->paths = film->samples * pixels;
-        figures->seconds = now() - start;
+        figures->seconds = clock_seconds() - start;
         progress_report(&progress, figures);
     }
     if (!film_read(film, &job->image, &job->count, error)) return false;
@@ -180,13 +174,13 @@ static void release(Job *job) {
 }
 
 Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
-    double start = now();
+    double start = clock_seconds();
     Job job = {.options = options};
     error->status = STATUS_DONE;
     interrupt_install();
     bool ok = prepare(&job, error);
     if (ok) {
-        job.figures.startup_seconds = now() - start;
+        job.figures.startup_seconds = clock_seconds() - start;
         if (options->verbose) say_choices(&job);
         ok = render(&job, error) && write_outputs(&job, argc, argv, error);
     }

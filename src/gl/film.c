@@ -1,25 +1,15 @@
 #include "gl/film.h"
 
+#include "gl/texture.h"
+
 #include <math.h>
 #include <stdlib.h>
-
-static GLuint create_texture(const GlApi *gl, int width, int height) {
-    GLuint texture = 0;
-    gl->GenTextures(1, &texture);
-    gl->BindTexture(GL_TEXTURE_2D, texture);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, NULL);
-    return texture;
-}
 
 static bool create_side(Film *film, int side, Error *error) {
     static const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     const GlApi *gl = film->gl;
-    film->sum[side] = create_texture(gl, film->width, film->height);
-    film->rest[side] = create_texture(gl, film->width, film->height);
+    film->sum[side] = texture_create(gl, film->width, film->height, GL_NEAREST, NULL);
+    film->rest[side] = texture_create(gl, film->width, film->height, GL_NEAREST, NULL);
     gl->GenFramebuffers(1, &film->framebuffer[side]);
     gl->BindFramebuffer(GL_FRAMEBUFFER, film->framebuffer[side]);
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, film->sum[side], 0);

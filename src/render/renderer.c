@@ -1,11 +1,11 @@
 #include "render/renderer.h"
 
+#include "base/clock.h"
 #include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
 enum {
     MOST_GROUP_SAMPLES = 16,
@@ -192,12 +192,6 @@ void renderer_destroy(Renderer *renderer) {
     *renderer = (Renderer){0};
 }
 
-static double now(void) {
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
-
 /* Rows for the next draw, about a tenth of a second's worth. */
 static int strip_rows(const Renderer *renderer, int rows_left) {
     int rows = 1;
@@ -215,10 +209,10 @@ bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Err
     film_begin(film, &renderer->program);
     for (int row = 0; row < film->height && !stopped;) {
         int rows = strip_rows(renderer, film->height - row);
-        double start = now();
+        double start = clock_seconds();
         program_draw(&renderer->program, film->width, row, rows);
         renderer->gl->Finish();
-        renderer->rows_per_second = rows / fmax(now() - start, 1e-6);
+        renderer->rows_per_second = rows / fmax(clock_seconds() - start, 1e-6);
         row += rows;
         stopped = row < film->height && stop && stop();
     }

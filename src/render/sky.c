@@ -1,5 +1,6 @@
 #include "render/sky.h"
 
+#include "gl/texture.h"
 #include "render/gauss_table.h"
 
 #include <math.h>
@@ -29,17 +30,6 @@ static void table_size(double sun_elevation_deg, int *columns, int *rows) {
     *rows = sun_elevation_deg >= 2 ? 96 : 2 * *columns;
 }
 
-static GLuint create_texture(const GlApi *gl) {
-    GLuint texture = 0;
-    gl->GenTextures(1, &texture);
-    gl->BindTexture(GL_TEXTURE_2D, texture);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    return texture;
-}
-
 static bool create_fill(Sky *sky, const char *library, const Atmosphere *atmosphere, Error *error) {
     GlslSlot slots[SKY_SLOTS + 1] = {{0}};
     SkySlotText text;
@@ -49,8 +39,8 @@ static bool create_fill(Sky *sky, const char *library, const Atmosphere *atmosph
     bool ok = program_create(&sky->fill, sky->gl, &source, error);
     glsl_source_destroy(&source);
     if (!ok) return false;
-    sky->texture[0] = create_texture(sky->gl);
-    sky->texture[1] = create_texture(sky->gl);
+    sky->texture[0] = texture_create(sky->gl, 1, 1, GL_LINEAR, NULL);
+    sky->texture[1] = texture_create(sky->gl, 1, 1, GL_LINEAR, NULL);
     sky->gl->GenFramebuffers(1, &sky->framebuffer);
     return gl_check(sky->gl, "the sky's table", error);
 }
@@ -144,8 +134,7 @@ static bool resize(Sky *sky, const SkyState *state, Error *error) {
     sky->columns = columns;
     sky->rows = rows;
     for (int i = 0; i < 2; i++) {
-        gl->BindTexture(GL_TEXTURE_2D, sky->texture[i]);
-        gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, columns, 2 * rows, 0, GL_RGBA, GL_FLOAT, NULL);
+        texture_resize(gl, sky->texture[i], columns, 2 * rows, NULL);
         gl->FramebufferTexture2D(GL_FRAMEBUFFER, targets[i], GL_TEXTURE_2D, sky->texture[i], 0);
     }
     gl->DrawBuffers(2, targets);

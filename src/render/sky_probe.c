@@ -1,21 +1,12 @@
 #include "render/sky_probe.h"
 
 #include "base/text.h"
+#include "gl/texture.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum { SIDE = 256 }; /* directions are asked SIDE x SIDE at a time */
-
-static GLuint create_texture(const GlApi *gl) {
-    GLuint texture = 0;
-    gl->GenTextures(1, &texture);
-    gl->BindTexture(GL_TEXTURE_2D, texture);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, SIDE, SIDE, 0, GL_RGBA, GL_FLOAT, NULL);
-    return texture;
-}
 
 static bool create_program(SkyProbe *probe, const char *library, const Atmosphere *atmosphere, Error *error) {
     GlslSlot slots[SKY_SLOTS + 1] = {{0}};
@@ -34,8 +25,8 @@ bool sky_probe_create(SkyProbe *probe, const Context *context, const char *libra
     *probe = (SkyProbe){0};
     if (!sky_create(&probe->sky, context, library, choice, atmosphere, error)) return false;
     if (!create_program(probe, library, atmosphere, error)) goto fail;
-    probe->texture[0] = create_texture(gl);
-    probe->texture[1] = create_texture(gl);
+    probe->texture[0] = texture_create(gl, SIDE, SIDE, GL_NEAREST, NULL);
+    probe->texture[1] = texture_create(gl, SIDE, SIDE, GL_NEAREST, NULL);
     gl->GenFramebuffers(1, &probe->framebuffer);
     gl->BindFramebuffer(GL_FRAMEBUFFER, probe->framebuffer);
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, probe->texture[1], 0);
@@ -64,8 +55,7 @@ static bool ask_some(SkyProbe *probe, const float *directions, size_t count, flo
     memcpy(rows, directions, count * 4 * sizeof *rows);
     gl->BindFramebuffer(GL_FRAMEBUFFER, probe->framebuffer);
     gl->Viewport(0, 0, SIDE, SIDE);
-    gl->BindTexture(GL_TEXTURE_2D, probe->texture[0]);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, SIDE, height, 0, GL_RGBA, GL_FLOAT, rows);
+    texture_resize(gl, probe->texture[0], SIDE, height, rows);
     program_set_int(&probe->program, "probe_directions", 0);
     program_draw(&probe->program, SIDE, 0, height);
     gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
