@@ -72,15 +72,15 @@ bool in_planet_shadow(Atmosphere a, float h, float b) {
     return b < 0.0 && h * (2.0 * a.planet_radius_m + h) < b * b;
 }
 
-// The part of a ray in the planet's shadow, a half cylinder: from altitude h along `view`, whose b is given. Distances may
-// lie behind the ray's origin; empty where begin >= end.
-Segment shadow_segment(Atmosphere a, float h, float b, vec3 view, vec3 sun) {
+// The part of a ray in the shadow of a planet higher by `lift` than this one, a half cylinder: from altitude h along `view`, whose
+// b is given. Distances may lie behind the ray's origin; begin == end where there is none.
+Segment shadow_segment(Atmosphere a, float lift, float h, float b, vec3 view, vec3 sun) {
     float nu = dot(view, sun);
     float b_sun = (a.planet_radius_m + h) * sun.y;
     vec3 across = view - nu * sun;
     float squared = max(dot(across, across), 1.0e-30);
     float half_linear = b - b_sun * nu;
-    float constant = h * (2.0 * a.planet_radius_m + h) - b_sun * b_sun;
+    float constant = (h - lift) * (2.0 * a.planet_radius_m + h + lift) - b_sun * b_sun;
     float discriminant = half_linear * half_linear - squared * constant;
     if (discriminant <= 0.0) return Segment(0.0, 0.0);
     float q = -half_linear - (half_linear >= 0.0 ? 1.0 : -1.0) * sqrt(discriminant);

@@ -1,7 +1,9 @@
 // Gauss-Legendre along the view ray, GAUSS_NODES a segment (a constant that the host provides), with columns toward the sun
 // in closed form and columns back to the eye from the same nodes.
 //
-// The ray is cut at the planet's shadow and at its perigee, so that the integrand is smooth in each segment. In a segment of
+// The ray is cut at its perigee, at the planet's shadow, and where sunlight has passed half a scale height above the ground: just
+// outside of the shadow it collapses within a short stretch (this cut takes the largest errors of 8 nodes from 4.3 to 1.7 %).
+// So the integrand is smooth in each segment. In a segment of
 // length L that ascends, node u of (0,1) lies at t = L c u / (1 + c - u): nodes crowd where the air is dense. One that
 // descends takes the mirror image. The column up to node i is the integral of the polynomial through all nodes' densities:
 // a matrix times what is there already, no further exponentials.
@@ -19,12 +21,10 @@ struct GaussTable {
     float cumulative[144]; // [12 i + j]: integral from 0 to node i of the polynomial that is 1 at node j, 0 at the others
 };
 
-// The next cut behind `from`, or `end`.
-float gauss_cut(float from, float end, Segment shadow, float perigee) {
-    float cut = end;
-    cut = shadow.begin > from && shadow.begin < cut ? shadow.begin : cut;
-    cut = shadow.end > from && shadow.end < cut ? shadow.end : cut;
-    return perigee > from && perigee < cut ? perigee : cut;
+const int GAUSS_SEGMENTS = 6; // at most: two shadows' four ends and the perigee make five cuts
+
+float gauss_cut(float from, float cut, float candidate) {
+    return candidate > from && candidate < cut ? candidate : cut;
 }
 
 SkySums sky_gauss(Atmosphere a, GaussTable table, float h, vec3 view, vec3 sun) {
@@ -32,14 +32,16 @@ SkySums sky_gauss(Atmosphere a, GaussTable table, float h, vec3 view, vec3 sun) 
     float b = r * view.y;
     float nu = dot(view, sun);
     Segment air = atmosphere_segment(a, h, b);
-    Segment shadow = shadow_segment(a, h, b, view, sun);
-    shadow.end = shadow.begin < shadow.end ? shadow.end : shadow.begin;
+    Segment shadow = shadow_segment(a, 0.0, h, b, view, sun);
+    Segment dusk = shadow_segment(a, 0.5 * a.rayleigh_scale_height_m, h, b, view, sun);
     SkySums sums = SkySums(vec3(0.0), vec3(0.0));
     vec2 column_before = vec2(0.0);
     float from = air.begin;
     int segment = 0;
     do {
-        float to = gauss_cut(from, air.end, shadow, -b);
+        float to = gauss_cut(from, air.end, -b);
+        to = gauss_cut(from, gauss_cut(from, to, shadow.begin), shadow.end);
+        to = gauss_cut(from, gauss_cut(from, to, dusk.begin), dusk.end);
         float middle = 0.5 * (from + to);
         bool descends = middle < -b;
         bool dark = in_planet_shadow(a, altitude_along(h, r, b, middle), r * sun.y + middle * nu);
@@ -73,6 +75,6 @@ SkySums sky_gauss(Atmosphere a, GaussTable table, float h, vec3 view, vec3 sun) 
         column_before += total;
         from = to;
         segment += 1;
-    } while (from < air.end && segment < 4);
+    } while (from < air.end && segment < GAUSS_SEGMENTS);
     return sums;
 }

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_STEPS = 65535, FEWEST_NODES = 4, MOST_NODES = 12, DEFAULT_NODES = 8, MOST_SEGMENTS = 4 };
+enum { MOST_STEPS = 65535, FEWEST_NODES = 4, MOST_NODES = 12, DEFAULT_NODES = 8, MOST_SEGMENTS = 6 };
 
 /* With fewer paths gauss:8 for each is done before the table's program is compiled: measured, 256x256 at one
  * sample is even. */
