@@ -28,6 +28,7 @@ struct Material {
 struct Bounce {
     vec3 direction;
     vec3 weight;
+    bool lambert; // whether it was drawn by Lambert's cosine, with the albedo as weight
 };
 
 Hit hit_none() {

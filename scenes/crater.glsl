@@ -3,6 +3,7 @@
 //@ camera  eye 0 2 -4  target 0 0 0  fov 90
 //@ sun     elevation 30  azimuth 0
 //@ size    512 512
+//@ bound   0 hover 0 1
 //@ preset  noon           sun.elevation 60
 //@ preset  afternoon      sun.elevation 30
 //@ preset  sunset         sun.elevation 5   exposure 0.5

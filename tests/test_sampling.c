@@ -65,17 +65,17 @@ static void test_random(void **state) {
         "Sequence s = sequence_start(uint(t.x), uint(t.y), 0u, 4u); vec2 a = sequence_pair(s);"
         "Sequence q = sequence_start(uint(t.x), uint(t.y), 0u, 5u); vec2 b = sequence_pair(q);",
     };
-    static const char *const methods[] = {"random", "sobol"};
+    static const char *const methods[] = {"random", "sobol", "additive"};
     Context context;
     support_open(&context);
-    for (size_t k = 0; k < 2 * (sizeof draws / sizeof *draws); k++) {
-        size_t d = k / 2;
+    for (size_t k = 0; k < 3 * (sizeof draws / sizeof *draws); k++) {
+        size_t d = k / 3;
         char glsl[1024];
         int squares[1024] = {0}, cross[1024] = {0};
         snprintf(glsl, sizeof glsl,
                  "#include \"math/dialect.glsl\"\n#include \"sequence/%s.glsl\"\n"
                  "vec4 evaluate(vec2 t) { %s return vec4(a, b); }",
-                 methods[k % 2], draws[d]);
+                 methods[k % 3], draws[d]);
         support_evaluate(&context, glsl, NULL, SIDE, SIDE, results);
         expect_mean("x", component_x, 0.5);
         expect_mean("y", component_y, 0.5);
@@ -88,10 +88,11 @@ static void test_random(void **state) {
         }
         double pair = chi_square_deviations(squares, 1024, TEXELS / 1024.0);
         double pairs = chi_square_deviations(cross, 1024, TEXELS / 1024.0);
-        /* Sobol's own points are more even than chance within a pair: only too uneven is a fault there. */
-        bool even = k % 2 == 1 && d == 1;
-        if (pair > 4 || (!even && pair < -4) || fabs(pairs) > 4) {
-            fail_msg("%s, %s: %.1f in a pair, %.1f across", methods[k % 2], draws[d], pair, pairs);
+        /* One pixel's points are more even than chance, Sobol's in a pair, the recurrence's in any: only too
+         * uneven is a fault there. */
+        bool even = k % 3 > 0 && d == 1;
+        if (pair > 4 || (!even && pair < -4) || pairs > 4 || (!even && pairs < -4)) {
+            fail_msg("%s, %s: %.1f in a pair, %.1f across", methods[k % 3], draws[d], pair, pairs);
         }
     }
     context_close(&context);
@@ -138,7 +139,8 @@ static void draw_lobe(const Context *context, const char *method) {
         "#include \"scene.glsl\"\n#include \"sequence/random.glsl\"\n#include \"light/%s.glsl\"\n"
         "void scene_intersect(Ray r, inout Hit h) {}\n"
         "Material scene_material(Hit h) { return Material(0, vec3(1)); }\n"
-        "Bounce material_sample(Material m, vec3 n, vec3 i, vec2 u, vec2 v) { return Bounce(n, vec3(1)); }\n"
+        "Bounce material_sample(Material m, vec3 n, vec3 i, vec2 u, vec2 v) { return Bounce(n, vec3(1), "
+        "false); }\n"
         "vec3 sky_radiance(vec3 d) { return vec3(1); }\n"
         "vec4 evaluate(vec2 t) {\n"
         "    vec3 n = normalize(vec3(1, -2, 0.5)), x = normalize(cross(n, vec3(0, 0, 1))), y = cross(n, x);\n"
@@ -225,12 +227,52 @@ static void test_phases(void **state) {
     context_close(&context);
 }
 
+/* Bounces toward a sphere: directions uniform in its cone, with the density that cone_pdf says; their weights
+ * in the mixture with the cosine integrate to what the cosine alone does. */
+static void test_cones(void **state) {
+    (void)state;
+    static const double distances[] = {1.001, 1.5, 5, 1000};
+    Context context;
+    support_open(&context);
+    for (int k = 0; k < 4; k++) {
+        char glsl[2048];
+        int bins[32 * 32] = {0};
+        double d = distances[k], one_less_cos = 1 - sqrt(1 - 1 / (d * d)), inside = 0;
+        if (d > 100) one_less_cos = 0.5 / (d * d);
+        snprintf(glsl, sizeof glsl,
+                 "#include \"light/cone.glsl\"\n#include \"math/hash.glsl\"\n"
+                 "vec4 evaluate(vec2 t) {\n"
+                 "    vec3 axis = normalize(vec3(0.3, -0.8, 0.5)), from = vec3(1, 2, 3);\n"
+                 "    uvec3 h = hash_3(uvec3(uvec2(t), 7u));\n"
+                 "    Cone cone = cone_toward(from, from + %.6f * axis, 1.0);\n"
+                 "    vec3 d = cone_sample(cone, vec2(unit_float(h.x), unit_float(h.y)));\n"
+                 "    vec3 x = normalize(cross(axis, vec3(0, 0, 1))), y = cross(axis, x), off = d - axis;\n"
+                 "    return vec4(0.5 * dot(off, off) / cone.one_less_cos, 0.5 + atan(dot(d, y), dot(d, x)) "
+                 "/ (2.0 * PI),\n"
+                 "                cone_pdf(cone, d), cone_pdf(cone, normalize(axis + 1.1 * off / "
+                 "max(length(off), 1e-9) *\n"
+                 "                    sqrt(2.0 * cone.one_less_cos))));\n}",
+                 d);
+        support_evaluate(&context, glsl, NULL, SIDE, SIDE, results);
+        for (int i = 0; i < TEXELS; i++) {
+            const float *v = results + 4 * i;
+            bins[(int)(fmin(fmax(v[0], 0), 0.999999) * 32) * 32 + (int)(fmin(v[1], 0.999999) * 32)]++;
+            /* At the cone's very edge rounding decides. */
+            if (v[0] < 0.999) assert_true(fabs((double)v[2] * 2 * acos(-1.0) * one_less_cos - 1) < 1e-3);
+            inside += v[2] > 0;
+        }
+        assert_true(inside > 0.999 * TEXELS);
+        double deviations = chi_square_deviations(bins, 32 * 32, TEXELS / 1024.0);
+        if (fabs(deviations) > 4) fail_msg("cone at %g: chi-square is %.1f deviations off", d, deviations);
+    }
+    context_close(&context);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_elementary_intervals),
-        cmocka_unit_test(test_lobes),
-        cmocka_unit_test(test_phases),
+        cmocka_unit_test(test_random), cmocka_unit_test(test_elementary_intervals),
+        cmocka_unit_test(test_lobes),  cmocka_unit_test(test_phases),
+        cmocka_unit_test(test_cones),
     };
     return cmocka_run_group_tests_name("sampling", tests, support_folder, support_clean);
 }

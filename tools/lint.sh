@@ -40,8 +40,8 @@ check() {
 for scene in scenes/*.glsl; do
     for sky in table gauss:4 gauss:12 paper uniform; do check "$scene" --sky $sky; done
     for sky in table gauss paper; do check "$scene" --sky $sky --atmosphere earth; done
-    for sequence in sobol random; do
-        for light in paper cosine; do check "$scene" --light $light --sequence $sequence; done
+    for sequence in sobol additive random; do
+        for light in control paper cosine; do check "$scene" --light $light --sequence $sequence; done
     done
 done
 

@@ -1,9 +1,3 @@
 // --light cosine: Lambert's matte surfaces, bounced by the cosine; no light sampling.
+#include "light/lambert.glsl"
 #include "light/path.glsl"
-#include "math/sphere_sample.glsl"
-
-// Density cos / pi over the hemisphere: a uniform point on the unit sphere that touches the surface from above.
-// The sphere is shrunk by a rounding or two, so that the point opposite to the normal still has a direction.
-vec3 matte_direction(vec3 normal, vec2 u, vec2 v) {
-    return normalize(normal + 0.999999 * sphere_sample(u));
-}

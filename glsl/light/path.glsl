@@ -1,4 +1,5 @@
 // The path: rays bounce in the scene, without air between the hits, and whoever escapes brings the sky's radiance back.
+#include "light/roulette.glsl"
 #include "math/finite.glsl"
 #include "scene.glsl"
 
@@ -6,10 +7,6 @@ void scene_intersect(Ray ray, INOUT(Hit) hit);
 Material scene_material(Hit hit);
 Bounce material_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
 vec3 sky_radiance(vec3 direction);
-
-// Russian roulette from this hit on; a survival below 1 ends even the paths that lose nothing.
-const int ROULETTE_HITS = 4;
-const float ROULETTE_SURVIVAL = 0.95;
 
 // Radiance that comes back along `ray`, with at most `max_hits` surface hits. The sky is asked once, after the loop,
 // where all of a picture's neighbours ask together.
@@ -32,9 +29,8 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             throughput *= bounce.weight;
             ray = ray_from(hit, bounce.direction);
             hits += 1;
-            float brightest = max(throughput.x, max(throughput.y, throughput.z));
-            float survival = hits < ROULETTE_HITS ? 1.0 : min(brightest, ROULETTE_SURVIVAL);
-            alive = !(v.y >= survival || brightest <= 0.0);
+            float survival = roulette_survival(throughput, hits);
+            alive = !(v.y >= survival);
             throughput /= alive ? survival : 1.0;
         }
     } while (alive);

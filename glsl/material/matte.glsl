@@ -10,5 +10,5 @@ Material matte(vec3 albedo) {
 }
 
 Bounce matte_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
-    return Bounce(matte_direction(normal, u, v), material.color);
+    return Bounce(matte_direction(normal, u, v), material.color, true);
 }

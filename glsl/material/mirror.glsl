@@ -6,5 +6,5 @@ Material mirror(vec3 tint) {
 }
 
 Bounce mirror_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
-    return Bounce(reflect(incoming, normal), material.color);
+    return Bounce(reflect(incoming, normal), material.color, false);
 }

@@ -4,6 +4,7 @@
 #include <sequence>
 #include <sky>
 #include <scene>
+#include <bounds>
 #include <materials>
 #include <light>
 #include "math/finite.glsl"

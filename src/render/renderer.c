@@ -22,18 +22,27 @@ typedef struct Methods {
     MethodChoice sky, light, sequence;
 } Methods;
 
-/* Loop iterations of one sample: itself, the path, and the sky. */
-static long sample_iterations(const MethodChoice *sky, int max_hits) {
-    return 1 + (max_hits + 1L) + (sky->table ? 0 : sky->iterations);
+static bool uses_control(const Methods *methods) {
+    return strcmp(methods->light.method->name, "control") == 0;
 }
 
-static bool choose_group(Renderer *renderer, const MethodChoice *sky, Error *error) {
-    long iterations = sample_iterations(sky, renderer->max_hits);
+/* Loop iterations of one sample: itself, its hits with the bounds at each, and the sky. */
+static long sample_iterations(const Methods *methods, const Scene *scene, int max_hits) {
+    bool control = uses_control(methods);
+    long hit = 1 + (control ? 2L * scene->bound_count : 0);
+    long sky = methods->sky.table ? 0 : methods->sky.iterations;
+    return 1 + (max_hits + 1L) * hit + sky * (control ? 2 : 1);
+}
+
+static bool choose_group(Renderer *renderer, const Methods *methods, const Scene *scene, Error *error) {
+    const MethodChoice *sky = &methods->sky;
+    long iterations = sample_iterations(methods, scene, renderer->max_hits);
     if (iterations > LOOP_LIMIT || sky->iterations > LOOP_LIMIT) {
         return error_set(error, STATUS_USAGE,
-                         "--sky %s with %d surface hits needs %ld loop iterations a sample; the limit is %d",
-                         sky->text, renderer->max_hits, sky->table ? sky->iterations : iterations,
-                         LOOP_LIMIT);
+                         "--sky %s with --light %s and %d surface hits needs %ld loop iterations a sample; "
+                         "the limit is %d",
+                         sky->text, methods->light.text, renderer->max_hits,
+                         iterations > LOOP_LIMIT ? iterations : sky->iterations, LOOP_LIMIT);
     }
     renderer->group_samples = MOST_GROUP_SAMPLES;
     while (renderer->group_samples * iterations > LOOP_LIMIT) renderer->group_samples /= 2;
@@ -77,15 +86,31 @@ static bool check_scene_functions(const RenderParams *params, Error *error) {
     return ok;
 }
 
+/* The scene's bounds as GLSL, their words as they are: numbers, or the uniforms of sliders. */
+static void write_bounds(const Scene *scene, Text *text) {
+    text_print(text, "const int SCENE_BOUNDS = %d;\nvec4 scene_bound(int i) {\n", scene->bound_count);
+    for (int i = 0; i < scene->bound_count; i++) {
+        text_print(text, "    if (i == %d) return vec4(", i);
+        for (int k = 0; k < 4; k++) text_print(text, "%sfloat(%s)", k ? ", " : "", scene->bounds[i].words[k]);
+        text_print(text, ");\n");
+    }
+    text_print(text, "    return vec4(0.0);\n}");
+}
+
 static bool flatten(const Methods *methods, const RenderParams *params, GlslSource *source, Error *error) {
-    GlslSlot slots[SKY_SLOTS + 4] = {{0}};
+    GlslSlot slots[SKY_SLOTS + 5] = {{0}};
     SkySlotText text;
+    Text bounds = {0};
+    write_bounds(params->scene, &bounds);
     sky_slots(&methods->sky, &params->scene->atmosphere, slots, &text);
     slots[SKY_SLOTS] = (GlslSlot){"sequence", methods->sequence.method->file, NULL};
     slots[SKY_SLOTS + 1] = (GlslSlot){"light", methods->light.method->file, NULL};
     slots[SKY_SLOTS + 2] = (GlslSlot){"scene", params->scene->path, NULL};
-    return check_scene_functions(params, error) &&
-           glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
+    slots[SKY_SLOTS + 3] = (GlslSlot){"bounds", NULL, text_string(&bounds)};
+    bool ok = check_scene_functions(params, error) &&
+              glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
+    text_free(&bounds);
+    return ok;
 }
 
 bool renderer_flatten(const RenderParams *params, GlslSource *source, Error *error) {
@@ -155,6 +180,15 @@ static void set_parameters(const Program *program, const Scene *scene) {
     }
 }
 
+/* The table that --light control looks up. */
+static bool use_irradiance(Renderer *renderer, const Context *context, const RenderParams *params,
+                           const Methods *methods, const SkyState *state, Error *error) {
+    if (!uses_control(methods)) return true;
+    return irradiance_create(&renderer->irradiance, context, params->library, &methods->sky,
+                             &state->atmosphere, error) &&
+           irradiance_use(&renderer->irradiance, &renderer->sky, &renderer->program, state, error);
+}
+
 bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
     const Scene *scene = params->scene;
     int width = picture_width(params), height = picture_height(params);
@@ -166,9 +200,11 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
                            .rows_per_second = 1e6 / width}; /* a guess on the low side, for the first draw */
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
         !choose_methods(&methods, params, width, height, error) ||
-        !choose_group(renderer, &methods.sky, error) || !create_program(renderer, &methods, params, error) ||
+        !choose_group(renderer, &methods, scene, error) ||
+        !create_program(renderer, &methods, params, error) ||
         !film_create(&renderer->film, context, width, height, error) ||
         !sky_create(&renderer->sky, context, params->library, &methods.sky, &scene->atmosphere, error) ||
+        !use_irradiance(renderer, context, params, &methods, &state, error) ||
         !sky_use(&renderer->sky, &renderer->program, &state, error)) {
         goto fail;
     }
@@ -186,6 +222,7 @@ fail:
 }
 
 void renderer_destroy(Renderer *renderer) {
+    irradiance_destroy(&renderer->irradiance);
     sky_destroy(&renderer->sky);
     film_destroy(&renderer->film);
     program_destroy(&renderer->program);

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "gl/film.h"
-#include "render/sky.h"
+#include "render/irradiance.h"
 #include "scene/scene.h"
 
 typedef struct RenderParams {
@@ -24,6 +24,7 @@ typedef struct Renderer {
     Program program;
     Film film;
     Sky sky;
+    Irradiance irradiance; /* empty unless the light method asks for it */
     MethodChoice light, sequence;
     int max_hits;
     unsigned seed;

@@ -154,6 +154,18 @@ static bool read_preset(Line *line, Error *error) {
     return true;
 }
 
+static bool read_bound(Line *line, Error *error) {
+    Scene *scene = line->scene;
+    enum { MOST = sizeof scene->bounds / sizeof *scene->bounds };
+    if (line->count != 5)
+        return error_set(error, STATUS_SCENE, "bound needs x y z radius, numbers or parameters");
+    if (scene->bound_count == MOST) return error_set(error, STATUS_SCENE, "more than %d bounds", MOST);
+    Bound *bound = &scene->bounds[scene->bound_count++];
+    bound->line = line->number;
+    for (int i = 0; i < 4; i++) snprintf(bound->words[i], sizeof bound->words[i], "%s", line->words[1 + i]);
+    return true;
+}
+
 /* The parameter declared on the annotation's own line as `uniform TYPE NAME;`. */
 static Parameter *declared(Line *line, const char *type, Error *error) {
     Scene *scene = line->scene;
@@ -242,12 +254,13 @@ static const struct {
     const char *key;
     bool (*read)(Line *line, Error *error);
 } annotations[] = {
-    {"title", read_title},       {"look", read_look},
-    {"camera", read_camera},     {"sun", read_sun},
-    {"size", read_size},         {"exposure", read_exposure},
-    {"sky", read_sky},           {"atmosphere", read_atmosphere},
-    {"preset", read_preset},     {"slider", read_slider},
-    {"checkbox", read_checkbox}, {"color", read_color},
+    {"title", read_title},   {"look", read_look},
+    {"camera", read_camera}, {"sun", read_sun},
+    {"size", read_size},     {"exposure", read_exposure},
+    {"sky", read_sky},       {"atmosphere", read_atmosphere},
+    {"preset", read_preset}, {"bound", read_bound},
+    {"slider", read_slider}, {"checkbox", read_checkbox},
+    {"color", read_color},
 };
 enum { ANNOTATIONS = sizeof annotations / sizeof *annotations };
 
@@ -287,6 +300,27 @@ static bool try_presets(const Scene *scene, Error *error) {
     return true;
 }
 
+static bool is_slider(const Scene *scene, const char *name) {
+    for (int i = 0; i < scene->parameter_count; i++) {
+        const Parameter *parameter = &scene->parameters[i];
+        if (parameter->type == PARAMETER_SLIDER && strcmp(parameter->name, name) == 0) return true;
+    }
+    return false;
+}
+
+/* A bound may name parameters declared below it too. */
+static bool check_bounds(const Scene *scene, Error *error) {
+    for (int i = 0; i < scene->bound_count * 4; i++) {
+        const Bound *bound = &scene->bounds[i / 4];
+        const char *word = bound->words[i % 4];
+        double number;
+        if (is_slider(scene, word) || (number_parse(word, &number) && (i % 4 < 3 || number > 0))) continue;
+        return error_set(error, STATUS_SCENE, "%s:%d: bound: '%s' is neither a %s nor a slider's name",
+                         scene->path, bound->line, word, i % 4 < 3 ? "number" : "number above 0");
+    }
+    return true;
+}
+
 bool annotation_read(Scene *scene, Error *error) {
     Text file = {0};
     if (!file_read(scene->path, STATUS_SCENE, &file, error)) {
@@ -304,5 +338,5 @@ bool annotation_read(Scene *scene, Error *error) {
         line = last ? end : end + 1;
     }
     text_free(&file);
-    return ok && try_presets(scene, error);
+    return ok && check_bounds(scene, error) && try_presets(scene, error);
 }

@@ -83,7 +83,7 @@ static void generate_materials(GlslSource *source) {
         text_print(text, "    return %s_sample(material, normal, incoming, u, v);\n",
                    source->materials[source->material_count - 1]);
     } else {
-        text_print(text, "    return Bounce(normal, vec3(0.0));\n");
+        text_print(text, "    return Bounce(normal, vec3(0.0), false);\n");
     }
     text_print(text, "}\n");
 }

@@ -27,6 +27,12 @@ typedef struct Preset {
     int line;
 } Preset;
 
+/* A sphere around something that may block the sky: x, y, z, radius, each a number or a parameter's name. */
+typedef struct Bound {
+    char words[4][64];
+    int line;
+} Bound;
+
 typedef struct Scene {
     char *path; /* owned */
     char title[128], look[256];
@@ -40,6 +46,8 @@ typedef struct Scene {
     int parameter_count;
     Preset presets[32];
     int preset_count;
+    Bound bounds[16];
+    int bound_count;
 } Scene;
 
 /* Pictures' limits, as a sentence for errors and the check itself (STATUS_USAGE). */

@@ -1,0 +1,93 @@
+// --light control: cosine, and on level ground the unblocked sky as control variate.
+//
+// What level ground would reflect of a sky that nothing blocks is known from its normal alone (irradiance.glsl). The bounce from
+// the first such hit therefore brings, in place of the light L from its direction, L - sky: nothing where it escapes, and where it
+// is blocked, the blocker's light less the sky's behind it. The mean is the same and the open sky's noise is gone. Half of these
+// bounces go toward what may block the sky, where the scene says where that is (bounds). On slopes and in hollows much is blocked,
+// and there the plain cosine does better.
+#include "light/cone.glsl"
+#include "light/irradiance.glsl"
+#include "light/lambert.glsl"
+#include "light/roulette.glsl"
+#include "math/finite.glsl"
+#include "scene.glsl"
+
+void scene_intersect(Ray ray, INOUT(Hit) hit);
+Material scene_material(Hit hit);
+Bounce material_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
+vec3 sky_radiance(vec3 direction);
+vec3 sky_irradiance_over_pi(vec3 normal);
+
+const float BLOCKER_SHARE = 0.5; // of the bounces from level ground
+
+// Draws a bounce from Lambert's ground anew: by the cosine, or toward one of the bounds. Its weight is cos / pi over the density of
+// the two together; 0 for a direction into the ground.
+Bounce blocker_bounce(Bounce bounce, vec3 position, vec3 normal, vec2 u, float choice) {
+    float density = 0.0; // of the bounds' part
+    float seen = 0.0;
+    float wanted = choice / BLOCKER_SHARE * float(SCENE_BOUNDS);
+    for (int i = 0; i < SCENE_BOUNDS; i++) {
+        vec4 bound = scene_bound(i);
+        Cone cone = cone_toward(position, vec3(bound), bound.w);
+        if (int(wanted) == i && cone.one_less_cos > 0.0) bounce.direction = cone_sample(cone, u);
+    }
+    for (int i = 0; i < SCENE_BOUNDS; i++) {
+        vec4 bound = scene_bound(i);
+        Cone cone = cone_toward(position, vec3(bound), bound.w);
+        density += cone.one_less_cos > 0.0 ? cone_pdf(cone, bounce.direction) : 0.0;
+        seen += cone.one_less_cos > 0.0 ? 1.0 : 0.0;
+    }
+    // A bound that is not seen, because the ground is inside of it, leaves its share to the cosine.
+    float share = SCENE_BOUNDS > 0 ? BLOCKER_SHARE / float(SCENE_BOUNDS) : 0.0;
+    float cosine = max(dot(bounce.direction, normal), 0.0) / PI;
+    float together = (1.0 - share * seen) * cosine + share * density;
+    bounce.weight *= together > 0.0 ? cosine / together : 0.0;
+    return bounce;
+}
+
+vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
+    vec3 throughput = vec3(1.0);
+    vec3 known = vec3(0.0);   // the open sky's light on the first level ground
+    vec3 control = vec3(0.0); // what the bounce from there takes off, over the sky's radiance behind it
+    vec3 control_direction = vec3(0.0, 1.0, 0.0);
+    bool controlled = false;
+    bool escaped = false;
+    int hits = 0;
+    int control_hits = 0;
+    bool alive = true;
+    do {
+        Hit hit = hit_none();
+        scene_intersect(ray, hit);
+        escaped = hit.t >= INFINITY;
+        alive = !escaped && hits < max_hits;
+        if (alive) {
+            hit.position = ray.origin + hit.t * ray.direction;
+            hit.normal = dot(hit.normal, ray.direction) > 0.0 ? -hit.normal : hit.normal;
+            vec2 u = sequence_pair(sequence);
+            vec2 v = sequence_pair(sequence);
+            Bounce bounce = material_sample(scene_material(hit), hit.normal, ray.direction, u, v);
+            hits += 1;
+            if (bounce.lambert && hit.normal.y >= LEVEL_GROUND && !controlled) {
+                controlled = true;
+                control_hits = hits;
+                known = throughput * bounce.weight * sky_irradiance_over_pi(hit.normal);
+                bounce = blocker_bounce(bounce, hit.position, hit.normal, u, v.x);
+                control_direction = bounce.direction;
+            }
+            throughput *= bounce.weight;
+            ray = ray_from(hit, bounce.direction);
+            float survival = roulette_survival(throughput, hits);
+            alive = !(v.y >= survival);
+            throughput /= alive ? survival : 1.0;
+            if (hits == control_hits) control = alive ? throughput : vec3(0.0);
+        }
+    } while (alive);
+    // The bounce from the level ground that escapes at once brings what is known already.
+    bool open = escaped && controlled && hits == control_hits;
+    vec3 brought = throughput * sky_radiance(ray.direction);
+    vec3 taken = control * sky_radiance(control_direction);
+    vec3 radiance = known;
+    if (escaped || !is_finite(brought)) radiance += brought;
+    if (controlled) radiance -= taken;
+    return open ? known : radiance;
+}

@@ -1,0 +1,3 @@
+// --light control
+#include "pass/irradiance.glsl"
+#include "light/control.glsl"
