@@ -13,11 +13,11 @@ figure() {
     "$magichour" render "$scene" -o "$folder/$name.exr" -o "$folder/$name.png" "$@"
 }
 
-echo "The crater under the paper's sky, EXR and PNG in $folder/:"
+echo "The paper's figures, EXR and PNG in $folder/:"
 figure noon --preset noon --spp 256 "$@"
 figure afternoon --preset afternoon --spp 256 "$@"
 figure sunset --preset sunset --spp 256 "$@"
 figure early-evening --preset early-evening --spp 256 "$@"
-# Aerosols alone scatter so narrowly about the sun that bounces find the light by chance: more samples.
+# Aerosols alone scatter so narrowly about the sun that the bowl finds the light by chance: more samples.
 figure sunset-without-rayleigh --preset sunset --exposure 0 --set atmosphere.rayleigh=0 --spp 1024 "$@"
 figure sunset-without-rayleigh-or-ball --preset sunset --exposure 0 --set atmosphere.rayleigh=0 --set ball=0 --spp 1024 "$@"
