@@ -55,6 +55,7 @@ static void test_references(void **state) {
         {"--sun 30 --spp 256", "crater_el30_azz_sphere_sky.exr", 1.5, 0.3},
         {"--sun 5,90 --spp 256", "crater_el5_azx_sphere_sky.exr", 5, 0.3},
         {"--sun -2 --spp 256 --set ball=0", "crater_el-2_azz_nosphere_sky.exr", 1.5, 0.3},
+        {"--sun 5,90 --spp 256 --light control", "crater_el5_azx_sphere_sky.exr", 2.5, 0.1},
         {"--sun 30 --spp 64 --sky paper:64x16", "crater_el30_azz_sphere_sky.exr", 5, 2},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

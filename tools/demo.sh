@@ -10,7 +10,7 @@ mkdir -p "$folder"
 figure() {
     name=$1
     shift
-    "$magichour" render "$scene" -o "$folder/$name.exr" -o "$folder/$name.png" "$@"
+    "$magichour" render "$scene" -o "$folder/$name.exr" -o "$folder/$name.png" --light control "$@"
 }
 
 echo "The paper's figures, EXR and PNG in $folder/:"
