@@ -37,6 +37,9 @@ int main(int argc, char **argv) {
         status = run(&options, argc, argv, &error);
     }
     if (error.text[0] && status != STATUS_DONE) fprintf(stderr, "magichour: %s\n", error.text);
-    if (fflush(stdout) != 0 && status == STATUS_DONE) status = STATUS_OUTPUT;
+    if ((fflush(stdout) != 0 || ferror(stdout)) && status == STATUS_DONE) {
+        fputs("magichour: standard output: cannot be written\n", stderr);
+        status = STATUS_OUTPUT;
+    }
     return (int)status;
 }

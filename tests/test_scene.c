@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void test_annotations(void **state) {
@@ -160,18 +161,24 @@ static void test_flatten(void **state) {
     assert_int_equal(source.file_count, 3);
 
     /* The forms in which drivers report. */
-    glsl_source_explain(&source, "2:1(7): error: first\n1:2(3): warning: no\n0:6(1): error: second\n",
+    glsl_source_explain(&source, "0:6(7): error: first\n0:8(3): warning: no\n0:12(1): error: second\n",
                         &error);
     char expected[1024];
     snprintf(expected, sizeof expected, "%s:1: first\n%s:6: second", support_path("b.glsl"), path);
     assert_string_equal(error.text, expected);
     assert_int_equal(error.status, STATUS_SCENE);
-    glsl_source_explain(&source, "1(2) : error C1008: undefined variable \"x\"\n", &error);
+    glsl_source_explain(&source, "0(8) : error C1008: undefined variable \"x\"\n", &error);
     assert_non_null(strstr(error.text, "c.glsl:2: error C1008"));
-    glsl_source_explain(&source, "ERROR: 1:2: 'x' : undeclared identifier\n", &error);
+    glsl_source_explain(&source, "ERROR: 0:8: 'x' : undeclared identifier\n", &error);
     assert_non_null(strstr(error.text, "c.glsl:2: 'x' : undeclared"));
     glsl_source_explain(&source, "link failed for reasons", &error);
     assert_non_null(strstr(error.text, "link failed for reasons"));
+    glsl_source_explain(&source, "0:0(0): error: function `f' has static recursion\n", &error);
+    assert_non_null(strstr(error.text, ": function `f' has static recursion"));
+    char *plain = glsl_source_plain(&source);
+    assert_null(strstr(plain, "#line"));
+    assert_int_equal(strlen(plain), source.text.size);
+    free(plain);
     glsl_source_destroy(&source);
 }
 
@@ -184,6 +191,7 @@ static void test_flatten_refused(void **state) {
         {"#include none.glsl", "#include needs \"file.glsl\" or <slot>"},
         {"#include", "#include needs"},
         {"#include <frob>", "unknown slot <frob>"},
+        {"/* open", "a comment is not closed"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         GlslSource source;
@@ -222,6 +230,24 @@ static void test_defines(void **state) {
     }
 }
 
+/* A scene in the working folder that is called as one of the library's files is still the scene. */
+static void test_own_file(void **state) {
+    (void)state;
+    const GlslSlot slots[] = {{"scene", "LICENSE", NULL}, {NULL, NULL, NULL}};
+    const char *entry = support_write("own.glsl", "#include <scene>\n");
+    GlslSource source;
+    Error error;
+    support_write("LICENSE", "masked");
+    char *library = strdup(support_path("."));
+    assert_true(glsl_source_create(&source, library, entry, slots, &error));
+    assert_null(strstr(text_string(&source.text), "masked"));
+    glsl_source_destroy(&source);
+    assert_true(glsl_source_create(&source, library, "LICENSE", NULL, &error));
+    assert_null(strstr(text_string(&source.text), "masked"));
+    glsl_source_destroy(&source);
+    free(library);
+}
+
 /* A scene compiles what it includes and nothing else, and a new material needs no edit elsewhere. */
 static void test_materials(void **state) {
     (void)state;
@@ -243,7 +269,7 @@ int main(void) {
         cmocka_unit_test(test_annotations),     cmocka_unit_test(test_annotations_refused),
         cmocka_unit_test(test_atmosphere),      cmocka_unit_test(test_flatten),
         cmocka_unit_test(test_flatten_refused), cmocka_unit_test(test_defines),
-        cmocka_unit_test(test_materials),
+        cmocka_unit_test(test_materials),       cmocka_unit_test(test_own_file),
     };
     return cmocka_run_group_tests_name("scene", tests, support_folder, support_clean);
 }

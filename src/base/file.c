@@ -89,8 +89,10 @@ static mode_t target_mode(const char *target) {
 }
 
 static int write_and_rename(const char *target, const void *data, size_t size) {
-    char *temporary = memory_get(strlen(target) + 16, 1);
-    sprintf(temporary, "%s.XXXXXX", target);
+    /* Not the target's name and more: that may be as long as names can be. */
+    char *folder = folder_of(target), *temporary = memory_get(strlen(folder) + 32, 1);
+    sprintf(temporary, "%s/.magichour.XXXXXX", folder);
+    free(folder);
     int descriptor = mkstemp(temporary);
     int failed = descriptor < 0 ? errno : 0;
     if (!failed) {

@@ -79,21 +79,26 @@ static bool print_backends(const Options *options, Error *error) {
 }
 
 Status cmd_info(const Options *options, Error *error) {
+    Scene scene;
+    if (!setup_scene(options, &scene, error)) return error->status;
     if (options->input_count) {
-        Scene scene;
-        if (!setup_scene(options, &scene, error)) return error->status;
         print_scene(&scene);
         scene_destroy(&scene);
         return STATUS_DONE;
     }
     printf("magichour %s\n", MAGICHOUR_VERSION);
-    if (!print_backends(options, error)) return error->status;
+    if (!print_backends(options, error)) {
+        scene_destroy(&scene);
+        return error->status;
+    }
     print_methods();
     printf("atmospheres\n");
     for (int i = 0; atmosphere_preset(i); i++) {
         printf("  %-20s %s\n", atmosphere_preset(i)->name, atmosphere_preset(i)->source);
     }
-    printf("settings of the atmosphere, values of %s\n", atmosphere_preset(0)->name);
-    print_atmosphere(&atmosphere_preset(0)->atmosphere);
+    printf("settings of the atmosphere, values of %s\n",
+           options->atmosphere ? options->atmosphere : atmosphere_preset(0)->name);
+    print_atmosphere(&scene.atmosphere);
+    scene_destroy(&scene);
     return STATUS_DONE;
 }

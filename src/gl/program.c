@@ -47,7 +47,9 @@ bool program_create(Program *program, const GlApi *gl, const GlslSource *fragmen
     bool linked = false;
     *program = (Program){.gl = gl};
     GLuint vertex_shader = compile(gl, GL_VERTEX_SHADER, vertex_source, &log);
-    GLuint fragment_shader = compile(gl, GL_FRAGMENT_SHADER, text_string(&fragment->text), &log);
+    char *plain = glsl_source_plain(fragment);
+    GLuint fragment_shader = compile(gl, GL_FRAGMENT_SHADER, plain, &log);
+    free(plain);
     if (vertex_shader && fragment_shader) {
         program->id = gl->CreateProgram();
         gl->AttachShader(program->id, vertex_shader);

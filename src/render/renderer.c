@@ -124,6 +124,9 @@ static bool create_program(Renderer *renderer, const Methods *methods, const Ren
     GlslSource source;
     if (!flatten(methods, params, &source, error)) return false;
     bool ok = program_create(&renderer->program, renderer->gl, &source, error);
+    /* A scene that breaks off shows its fault only in the text behind it. */
+    if (!ok && strncmp(error->text, params->library, strlen(params->library)) == 0)
+        error_prefix(error, "%s: ", params->scene->path);
     for (int i = 0; i < source.file_count; i++) {
         size_t used = strlen(renderer->source_files);
         snprintf(renderer->source_files + used, sizeof renderer->source_files - used, "%s%s", i ? " " : "",

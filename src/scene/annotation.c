@@ -1,6 +1,7 @@
 #include "scene/annotation.h"
 
 #include "base/file.h"
+#include "scene/glsl_source.h"
 #include "scene/value.h"
 
 #include <ctype.h>
@@ -329,12 +330,16 @@ bool annotation_read(Scene *scene, Error *error) {
     }
     text_append(&file, "", 0);
     int number = 1;
-    bool ok = true;
+    bool ok = true, in_comment = false;
+    if (memchr(file.data, 0, file.size))
+        ok = error_set(error, STATUS_SCENE, "%s:1: not a text file", scene->path);
     for (char *line = file.data; ok && *line; number++) {
         char *end = line + strcspn(line, "\n");
         bool last = !*end;
         *end = 0;
-        ok = read_line(scene, line, number, error);
+        bool starts_in_comment = in_comment;
+        in_comment = glsl_ends_in_comment(line, in_comment);
+        if (!starts_in_comment) ok = read_line(scene, line, number, error);
         line = last ? end : end + 1;
     }
     text_free(&file);

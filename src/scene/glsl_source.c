@@ -41,12 +41,14 @@ static char *existing_file(const char *folder, size_t folder_length, const char 
 
 static char *find_quoted(const Flattener *flattener, const char *includer, const char *name, size_t length) {
     const char *slash = strrchr(includer, '/');
-    char *path = existing_file(includer, slash ? (size_t)(slash - includer) : 0, name, length);
+    size_t folder_length = slash > includer ? (size_t)(slash - includer) : slash != NULL;
+    char *path = existing_file(includer, folder_length, name, length);
     return path ? path : existing_file(flattener->library, strlen(flattener->library), name, length);
 }
 
-static char *find_chosen(const Flattener *flattener, const char *path) {
-    char *found = existing_file(flattener->library, strlen(flattener->library), path, strlen(path));
+static char *find_chosen(const Flattener *flattener, const char *path, bool own) {
+    char *found =
+        own ? NULL : existing_file(flattener->library, strlen(flattener->library), path, strlen(path));
     return found ? found : existing_file("", 0, path, strlen(path));
 }
 
@@ -100,7 +102,7 @@ static bool include_slot(Flattener *flattener, const char *name, size_t length, 
             text_print(&flattener->source->text, "%s\n", slot->text);
             return true;
         }
-        char *found = find_chosen(flattener, slot->path);
+        char *found = find_chosen(flattener, slot->path, strcmp(slot->name, "scene") == 0);
         if (!found) {
             return error_set(error, STATUS_SCENE, "%s:%d: no file '%s' for <%s>", path, line, slot->path,
                              slot->name);
@@ -132,8 +134,7 @@ static bool include_line(Flattener *flattener, const char *name, const char *pat
     return ok;
 }
 
-/* Whether the comment state at the line's end is inside a block comment. */
-static bool ends_in_comment(const char *line, bool inside) {
+bool glsl_ends_in_comment(const char *line, bool inside) {
     for (const char *c = line; *c; c++) {
         if (inside) {
             if (c[0] == '*' && c[1] == '/') inside = false, c++;
@@ -171,9 +172,10 @@ static bool flatten_lines(Flattener *flattener, const char *path, int file, char
             /* #version has to be the first line, so the entry file's first #line follows it. */
             if (strncmp(line, "#version", 8) == 0) text_print(text, "#line %d %d\n", number + 1, file);
         }
-        in_comment = ends_in_comment(line, in_comment);
+        in_comment = glsl_ends_in_comment(line, in_comment);
         line = last ? end : end + 1;
     }
+    if (in_comment) return error_set(error, STATUS_SCENE, "%s:%d: a comment is not closed", path, number - 1);
     return true;
 }
 
@@ -206,7 +208,7 @@ bool glsl_source_create(GlslSource *source, const char *library, const char *ent
                         Error *error) {
     Flattener flattener = {.source = source, .library = library, .slots = slots};
     *source = (GlslSource){0};
-    char *found = find_chosen(&flattener, entry);
+    char *found = find_chosen(&flattener, entry, !slots);
     bool ok = include_file(&flattener, found ? found : entry, error);
     free(found);
     if (!ok) glsl_source_destroy(source);
@@ -222,16 +224,39 @@ void glsl_source_destroy(GlslSource *source) {
     *source = (GlslSource){0};
 }
 
+char *glsl_source_plain(const GlslSource *source) {
+    char *plain = strdup(text_string(&source->text));
+    for (char *line = plain; *line; line += strcspn(line, "\n"), line += *line == '\n') {
+        if (strncmp(line, "#line ", 6) == 0) memcpy(line, "//", 2);
+    }
+    return plain;
+}
+
+/* The file and line that a line of the text came from, by the last #line before it. */
+static bool find_place(const GlslSource *source, int wanted, int *file, int *number) {
+    const char *line = text_string(&source->text);
+    *file = *number = 0;
+    for (int at = 1; *line; at++, line += strcspn(line, "\n"), line += *line == '\n') {
+        if (strncmp(line, "#line ", 6) != 0 || sscanf(line, "#line %d %d", number, file) != 2) {
+            ++*number;
+        } else {
+            --*number;
+        }
+        if (at == wanted) return *file >= 0 && *file < source->file_count;
+    }
+    return false;
+}
+
 /* Reads "S:L(C): words", "S(L) : words" or "ERROR: S:L: words"; false for a line without a place. */
-static bool parse_log_line(const char *line, int *file, int *number, const char **words) {
+static bool parse_log_line(const char *line, int *number, const char **words) {
     int used = 0;
     line += strspn(line, " \t");
     if (strncmp(line, "ERROR: ", 7) == 0) line += 7;
-    if (sscanf(line, "%d:%d(%*d)%n", file, number, &used) != 2 || !used) {
+    if (sscanf(line, "%*d:%d(%*d)%n", number, &used) != 1 || !used) {
         used = 0;
-        if (sscanf(line, "%d(%d)%n", file, number, &used) != 2 || !used) {
+        if (sscanf(line, "%*d(%d)%n", number, &used) != 1 || !used) {
             used = 0;
-            if (sscanf(line, "%d:%d%n", file, number, &used) != 2 || !used) return false;
+            if (sscanf(line, "%*d:%d%n", number, &used) != 1 || !used) return false;
         }
     }
     *words = line + used + strspn(line + used, " :\t");
@@ -245,12 +270,14 @@ void glsl_source_explain(const GlslSource *source, const char *log, Error *error
         int length = (int)strcspn(line, "\n"), file, number;
         const char *words;
         if (!length) continue;
-        if (!parse_log_line(line, &file, &number, &words) || file < 0 || file >= source->file_count) {
-            text_print(&rest, "%s%.*s", rest.size ? "\n" : "", length, line);
-            continue;
-        }
+        bool place = parse_log_line(line, &number, &words);
+        if (!place) words = line;
         if (strncmp(words, "warning", 7) == 0 || lines >= 8) continue;
         if (strncmp(words, "error: ", 7) == 0) words += 7;
+        if (!place || !find_place(source, number, &file, &number)) {
+            text_print(&rest, "%s%.*s", rest.size ? "\n" : "", (int)(line + length - words), words);
+            continue;
+        }
         text_print(&explained, "%s%s:%d: %.*s", lines++ ? "\n" : "", source->files[file], number,
                    (int)(line + length - words), words);
     }

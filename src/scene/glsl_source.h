@@ -2,6 +2,7 @@
  *
  *   #include "shape/sphere.glsl"   a file beside the including one, else in the GLSL library; each file once
  *   #include <sky>                 a slot: the file that the host chose for that name
+ *   #include <scene>               the same, but always the user's own file, never one of the library's
  *   #include <materials>           written here: material_sample(), a call for each material/ file included
  * so far
  *
@@ -28,14 +29,22 @@ typedef struct GlslSource {
     int material_count;
 } GlslSource;
 
-/* Flattens `entry` (a path as in GlslSlot). `slots` ends with a NULL name. Fails with STATUS_SCENE and the
- * place of the #include that is wrong. */
+/* Flattens `entry` (a path as in GlslSlot, the user's own where there are no slots). `slots` ends with a NULL
+ * name. Fails with STATUS_SCENE and the place of the #include that is wrong. */
 MUST_CHECK bool glsl_source_create(GlslSource *source, const char *library, const char *entry,
                                    const GlslSlot *slots, Error *error);
 void glsl_source_destroy(GlslSource *source);
 
-/* Turns a driver's log into an error: each "2:14(3): error: words" becomes "scenes/a.glsl:14: words". */
+/* The text for the driver, to be freed: each #line made a comment. Mesa forgets which file a #line named, so
+ * that lines are counted through the whole text and looked up in it. */
+char *glsl_source_plain(const GlslSource *source);
+
+/* Turns a driver's log on the plain text into an error: each "0:514(3): error: words" becomes
+ * "scenes/a.glsl:14: words". */
 void glsl_source_explain(const GlslSource *source, const char *log, Error *error);
+
+/* Whether a line that starts inside a block comment (or not) ends inside one. */
+bool glsl_ends_in_comment(const char *line, bool inside);
 
 /* Whether the text defines a function of that name (outside comments). */
 bool glsl_source_defines(const GlslSource *source, const char *function);
