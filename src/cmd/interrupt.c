@@ -1,22 +1,31 @@
 #include "cmd/interrupt.h"
 
+#include "base/clock.h"
+
 #include <signal.h>
 #include <stddef.h>
 
 static volatile sig_atomic_t requested;
+static double first_seconds;
 
+/* A later second signal takes its default course; not one at once, as `timeout` sends it, to the program and
+ * to its group. */
 static void handle(int signal_number) {
-    (void)signal_number;
+    double now = clock_seconds();
+    if (requested && now > first_seconds + 0.3) {
+        signal(signal_number, SIG_DFL);
+        raise(signal_number);
+    }
+    if (!requested) first_seconds = now;
     requested = 1;
 }
 
 void interrupt_install(void) {
-    /* SA_RESETHAND: the second signal takes its default course. */
-    struct sigaction action = {.sa_handler = handle, .sa_flags = SA_RESTART | (int)SA_RESETHAND};
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction action = {.sa_handler = handle, .sa_flags = SA_RESTART};
     sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL);
+    for (int i = 0; i < 3; i++) sigaddset(&action.sa_mask, signals[i]);
+    for (int i = 0; i < 3; i++) sigaction(signals[i], &action, NULL);
 }
 
 bool interrupt_requested(void) {
