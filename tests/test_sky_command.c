@@ -19,9 +19,9 @@ static Image read_map(const char *arguments) {
 static void test_rows(void **state) {
     (void)state;
     static const char *const methods[] = {"reference", "gauss", "table", "paper:64x16"};
-    const char *csv =
-        support_write("rows.csv", "# a comment\r\nheight_m,sun_el_deg,view_el_deg,az_deg,further\n"
-                                  "1,60,90,0,abc\n\n  1 , 90 , 0 , 0\n# another\n1,60,45,-90\n");
+    const char *csv = support_write(
+        "rows.csv", "\xef\xbb\xbf# a comment\r\n\r\nheight_m,sun_el_deg,view_el_deg,az_deg,further\n"
+                    "1,60,90,0,abc\n\n  1 , 90 , 0 , 0\n# another\n1,60,45,-90\n");
     /* From data/sky_single_scattering.csv. */
     static const double expected[2] = {0.20840326735068807, 0.38488239611819441};
     for (int m = 0; m < 4; m++) {

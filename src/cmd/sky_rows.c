@@ -63,10 +63,12 @@ bool sky_rows_read(SkyRows *rows, const char *path, Error *error) {
     if (ok) text_append(&file, "", 0);
     int number = 1;
     bool first = true;
-    for (char *line = file.data; ok && *line; number++) {
+    char *start = file.data;
+    if (ok && strncmp(start, "\xef\xbb\xbf", 3) == 0) start += 3;
+    for (char *line = start; ok && *line; number++) {
         char *end = line + strcspn(line, "\n");
         bool last = !*end;
-        bool counts = line[strspn(line, " \t\r")] != '#';
+        bool counts = !strchr("#\n", line[strspn(line, " \t\r")]);
         *end = 0;
         if (!read_line(rows, line, first, error)) ok = error_prefix(error, "%s:%d: ", path, number);
         if (counts) first = false;
