@@ -110,13 +110,14 @@ static void test_scene_errors(void **state) {
         {INTERSECT MATERIAL "\nfloat f() { return frob; }\n", "bad.glsl:4: "},
         {INTERSECT "#include \"shape/sphere.glsl\"\n" MATERIAL "\n\nfloat f( { }\n", "bad.glsl:6: "},
         {"#include \"shape/cube.glsl\"\n" INTERSECT MATERIAL, "bad.glsl:1: no file 'shape/cube.glsl'"},
+        {"//@ title x\n//@ sky frob\n" INTERSECT MATERIAL, "bad.glsl:2: --sky: unknown method 'frob'"},
         {"", "missing function"},
         {"\x01\x02\x03", "missing function"},
     };
     const char *out = support_path("out.exr");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const char *scene = support_write("bad.glsl", cases[i].text);
-        support_expect(3, cases[i].part, "render '%s' " TINY " -o '%s'", scene, out);
+        support_expect(3, cases[i].part, "render '%s' --size 16x16 --spp 1 -o '%s'", scene, out);
     }
     support_expect(3, "none.glsl: cannot be read: No such file", "render none.glsl -o '%s'", out);
     support_expect(3, "scenes: cannot be read: Is a directory", "render scenes -o '%s'", out);

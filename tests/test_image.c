@@ -552,6 +552,16 @@ static void test_replace_targets(void **state) {
     assert_file_is(path, "new");
     assert_int_equal(folder_count(), 2);
 
+    /* A link to a file that is not there yet makes that file. */
+    const char *dangling = in_folder("dangling.pfm");
+    assert_int_equal(symlink("made.pfm", dangling), 0);
+    assert_true(file_replace(dangling, "made", 4, &error));
+    assert_int_equal(lstat(dangling, &status), 0);
+    assert_true(S_ISLNK(status.st_mode));
+    assert_file_is(in_folder("made.pfm"), "made");
+    assert_int_equal(unlink(dangling), 0);
+    assert_int_equal(unlink(in_folder("made.pfm")), 0);
+
     Image image = awkward_image(4, 4);
     assert_true(image_write(&image, "/dev/null", &plain, &error));
     const char *const bad[] = {"/dev/full", folder, in_folder("none/a.png")};

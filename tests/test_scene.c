@@ -83,6 +83,8 @@ static void test_annotations_refused(void **state) {
         {"//@ preset a sun.elevation 95", "'95' is not a number from -90 to 90"},
         {"//@ preset a frob 1", "no setting 'frob'"},
         {"//@ bound 1 2 3", "bound needs x y z radius"},
+        {"//@ preset a_name_of_more_than_sixty_three_characters_which_is_too_long_to_be_kept",
+         "more than 63 characters"},
         {"//@ bound 1 2 frob 1", "bound: 'frob' is neither a number nor a slider's name"},
         {"//@ bound 1 2 3 0", "bound: '0' is neither a number above 0 nor a slider's name"},
         {"//@ slider 1", "slider stands behind `uniform float NAME;`"},

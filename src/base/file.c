@@ -107,14 +107,28 @@ static int write_and_rename(const char *target, const void *data, size_t size) {
     return failed;
 }
 
+/* Where a file at `path` is, or would be made: the end of its symbolic links, whether or not there is a file
+ * yet. To be freed; NULL where it is `path` itself. */
+static char *link_target(const char *path) {
+    char *resolved = realpath(path, NULL), link[4096];
+    ssize_t length = resolved ? -1 : readlink(path, link, sizeof link - 1);
+    if (length <= 0) return resolved;
+    link[length] = 0;
+    char *folder = folder_of(path);
+    char *target = memory_get(strlen(folder) + (size_t)length + 2, 1);
+    sprintf(target, "%s%s%s", *link == '/' ? "" : folder, *link == '/' ? "" : "/", link);
+    free(folder);
+    return target;
+}
+
 bool file_replace(const char *path, const void *data, size_t size, Error *error) {
     int failed;
     if (file_is_special(path)) {
         failed = write_in_place(path, data, size);
     } else {
-        char *resolved = realpath(path, NULL); /* NULL when there is no such file yet */
-        failed = write_and_rename(resolved ? resolved : path, data, size);
-        free(resolved);
+        char *target = link_target(path);
+        failed = write_and_rename(target ? target : path, data, size);
+        free(target);
     }
     return failed ? output_error(path, failed, error) : true;
 }

@@ -34,7 +34,8 @@ static long sample_iterations(const Methods *methods, const Scene *scene, int ma
     return 1 + (max_hits + 1L) * hit + sky * (control ? 2 : 1);
 }
 
-static bool choose_group(Renderer *renderer, const Methods *methods, const Scene *scene, Error *error) {
+static bool choose_group(Renderer *renderer, const Methods *methods, const Scene *scene, int width,
+                         Error *error) {
     const MethodChoice *sky = &methods->sky;
     long iterations = sample_iterations(methods, scene, renderer->max_hits);
     if (iterations > LOOP_LIMIT || sky->iterations > LOOP_LIMIT) {
@@ -46,6 +47,9 @@ static bool choose_group(Renderer *renderer, const Methods *methods, const Scene
     }
     renderer->group_samples = MOST_GROUP_SAMPLES;
     while (renderer->group_samples * iterations > LOOP_LIMIT) renderer->group_samples /= 2;
+    /* For the first draw, a guess on the low side: hits are few, the sky's loop is run in full. */
+    long likely = 10 + (sky->table ? 0 : sky->iterations);
+    renderer->rows_per_second = 1e8 / ((double)renderer->group_samples * (double)likely * width);
     return true;
 }
 
@@ -56,8 +60,12 @@ static bool choose_methods(Methods *methods, const RenderParams *params, int wid
     const char *sky = params->sky ? params->sky : scene->sky[0] ? scene->sky : NULL;
     double paths = params->samples ? (double)params->samples * width * height : INFINITY;
     bool above_air = a->observer_height_m > a->top_radius_m - a->planet_radius_m;
-    return method_choose_sky(&methods->sky, sky, paths, above_air, error) &&
-           method_choose(&methods->light, METHOD_LIGHT, params->light, error) &&
+    if (!method_choose_sky(&methods->sky, sky, paths, above_air, error)) {
+        if (params->sky) return false;
+        error->status = STATUS_SCENE;
+        return error_prefix(error, "%s:%d: ", scene->path, scene->sky_line);
+    }
+    return method_choose(&methods->light, METHOD_LIGHT, params->light, error) &&
            method_choose(&methods->sequence, METHOD_SEQUENCE, params->sequence, error);
 }
 
@@ -199,11 +207,10 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
     Methods methods;
     *renderer = (Renderer){.gl = &context->gl,
                            .seed = params->seed,
-                           .max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS,
-                           .rows_per_second = 1e6 / width}; /* a guess on the low side, for the first draw */
+                           .max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS};
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
         !choose_methods(&methods, params, width, height, error) ||
-        !choose_group(renderer, &methods, scene, error) ||
+        !choose_group(renderer, &methods, scene, width, error) ||
         !create_program(renderer, &methods, params, error) ||
         !film_create(&renderer->film, context, width, height, error) ||
         !sky_create(&renderer->sky, context, params->library, &methods.sky, &scene->atmosphere, error) ||

@@ -46,6 +46,14 @@ static void join_words(const Line *line, int first, char *out, size_t size) {
     }
 }
 
+/* A word that must fit: cutting it short would make it another. */
+static bool copy_word(char *target, size_t size, const char *word, Error *error) {
+    if (strlen(word) >= size)
+        return error_set(error, STATUS_SCENE, "'%s' has more than %zu characters", word, size - 1);
+    memcpy(target, word, strlen(word) + 1);
+    return true;
+}
+
 /* words[at .. at+count) as numbers in a range. */
 static bool numbers(const Line *line, int at, int count, double min, double max, double *values,
                     Error *error) {
@@ -125,8 +133,8 @@ static bool read_size(Line *line, Error *error) {
 
 static bool read_sky(Line *line, Error *error) {
     if (line->count != 2) return error_set(error, STATUS_SCENE, "sky needs a method, such as uniform:1");
-    snprintf(line->scene->sky, sizeof line->scene->sky, "%s", line->words[1]);
-    return true;
+    line->scene->sky_line = line->number;
+    return copy_word(line->scene->sky, sizeof line->scene->sky, line->words[1], error);
 }
 
 static bool read_atmosphere(Line *line, Error *error) {
@@ -143,14 +151,21 @@ static bool read_preset(Line *line, Error *error) {
     if (scene->preset_count == MOST) return error_set(error, STATUS_SCENE, "more than %d presets", MOST);
     Preset *preset = &scene->presets[scene->preset_count++];
     *preset = (Preset){.line = line->number};
-    snprintf(preset->name, sizeof preset->name, "%s", line->words[1]);
+    if (!copy_word(preset->name, sizeof preset->name, line->words[1], error)) return false;
+    for (int i = 0; i + 1 < scene->preset_count; i++) {
+        if (strcmp(scene->presets[i].name, preset->name) == 0) {
+            return error_set(error, STATUS_SCENE, "preset '%s' is there already", preset->name);
+        }
+    }
     for (int i = 2; i < line->count; i += 2) {
         if (preset->setting_count == (int)(sizeof preset->settings / sizeof *preset->settings)) {
             return error_set(error, STATUS_SCENE, "preset %s has too many settings", preset->name);
         }
         Setting *setting = &preset->settings[preset->setting_count++];
-        snprintf(setting->name, sizeof setting->name, "%s", line->words[i]);
-        snprintf(setting->value, sizeof setting->value, "%s", line->words[i + 1]);
+        if (!copy_word(setting->name, sizeof setting->name, line->words[i], error) ||
+            !copy_word(setting->value, sizeof setting->value, line->words[i + 1], error)) {
+            return false;
+        }
     }
     return true;
 }
@@ -163,7 +178,9 @@ static bool read_bound(Line *line, Error *error) {
     if (scene->bound_count == MOST) return error_set(error, STATUS_SCENE, "more than %d bounds", MOST);
     Bound *bound = &scene->bounds[scene->bound_count++];
     bound->line = line->number;
-    for (int i = 0; i < 4; i++) snprintf(bound->words[i], sizeof bound->words[i], "%s", line->words[1 + i]);
+    for (int i = 0; i < 4; i++) {
+        if (!copy_word(bound->words[i], sizeof bound->words[i], line->words[1 + i], error)) return false;
+    }
     return true;
 }
 

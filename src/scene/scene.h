@@ -41,6 +41,7 @@ typedef struct Scene {
     double exposure_ev;
     int width, height;
     char sky[64]; /* the sky method that the scene asks for; empty if it asks for none */
+    int sky_line;
     Atmosphere atmosphere;
     Parameter parameters[32];
     int parameter_count;
