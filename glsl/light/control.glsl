@@ -9,13 +9,9 @@
 #include "light/irradiance.glsl"
 #include "light/lambert.glsl"
 #include "light/roulette.glsl"
+#include "light/surface.glsl"
 #include "math/finite.glsl"
-#include "scene.glsl"
 
-void scene_intersect(Ray ray, INOUT(Hit) hit);
-Material scene_material(Hit hit);
-Bounce material_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
-vec3 sky_radiance(vec3 direction);
 vec3 sky_irradiance_over_pi(vec3 normal);
 
 const float BLOCKER_SHARE = 0.5; // of the bounces from level ground
@@ -56,13 +52,10 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     int control_hits = 0;
     bool alive = true;
     do {
-        Hit hit = hit_none();
-        scene_intersect(ray, hit);
+        Hit hit = surface_hit(ray);
         escaped = hit.t >= INFINITY;
         alive = !escaped && hits < max_hits;
         if (alive) {
-            hit.position = ray.origin + hit.t * ray.direction;
-            hit.normal = dot(hit.normal, ray.direction) > 0.0 ? -hit.normal : hit.normal;
             vec2 u = sequence_pair(sequence);
             vec2 v = sequence_pair(sequence);
             Bounce bounce = material_sample(scene_material(hit), hit.normal, ray.direction, u, v);

@@ -1,0 +1,16 @@
+#include "scene.glsl"
+
+// What a light method asks of a scene and its materials.
+void scene_intersect(Ray ray, INOUT(Hit) hit);
+Material scene_material(Hit hit);
+Bounce material_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
+vec3 sky_radiance(vec3 direction);
+
+// The nearest hit, with its position and its normal toward the ray's origin; t is INFINITY where there is none.
+Hit surface_hit(Ray ray) {
+    Hit hit = hit_none();
+    scene_intersect(ray, hit);
+    hit.position = ray.origin + hit.t * ray.direction;
+    hit.normal = dot(hit.normal, ray.direction) > 0.0 ? -hit.normal : hit.normal;
+    return hit;
+}
