@@ -252,6 +252,30 @@ static void test_backends_agree(void **state) {
     if (!compared) skip();
 }
 
+/* Mesa's other software driver shares no code generator with llvmpipe: a second opinion on the shader, on a
+ * tiny picture. */
+static void test_second_driver(void **state) {
+    (void)state;
+    static const char *const lights[] = {"cosine", "control"};
+    support_run("GALLIUM_DRIVER=softpipe", "info");
+    if (!strstr(support_out, "softpipe")) {
+        print_message("no softpipe here\n");
+        skip();
+    }
+    for (int i = 0; i < 2; i++) {
+        char arguments[256];
+        snprintf(arguments, sizeof arguments,
+                 "scenes/crater.glsl --size 24x24 --spp 16 --sky table --light %s", lights[i]);
+        Image a = render("GALLIUM_DRIVER=softpipe", arguments), b = render("", arguments);
+        Comparison c = compare(&a, &b);
+        print_message("softpipe against the default driver, %s: relRMSE %.2e %%\n", lights[i],
+                      c.rel_rmse_percent);
+        assert_true(c.rel_rmse_percent < 0.1);
+        image_free(&a);
+        image_free(&b);
+    }
+}
+
 static void test_threads_agree(void **state) {
     (void)state;
     expect_equal("LP_NUM_THREADS=1", small, "LP_NUM_THREADS=2", small);
@@ -349,8 +373,9 @@ int main(void) {
         cmocka_unit_test(test_references),       cmocka_unit_test(test_table_in_picture),
         cmocka_unit_test(test_furnace),          cmocka_unit_test(test_bowl),
         cmocka_unit_test(test_estimators_agree), cmocka_unit_test(test_seeds),
-        cmocka_unit_test(test_threads_agree),    cmocka_unit_test(test_backends_agree),
-        cmocka_unit_test(test_cuts_agree),       cmocka_unit_test(test_nonfinite),
+        cmocka_unit_test(test_threads_agree),    cmocka_unit_test(test_second_driver),
+        cmocka_unit_test(test_backends_agree),   cmocka_unit_test(test_cuts_agree),
+        cmocka_unit_test(test_nonfinite),
     };
     return cmocka_run_group_tests_name("picture", tests, support_folder, support_clean);
 }

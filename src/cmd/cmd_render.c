@@ -153,6 +153,14 @@ static void say_choices(const Job *job) {
     fprintf(stderr, "sky %s, light %s, sequence %s, at most %d hits, groups of %u samples\n",
             renderer->sky.choice.text, renderer->light.text, renderer->sequence.text, renderer->max_hits,
             renderer->group_samples);
+    if (renderer->sky.choice.table) {
+        fprintf(stderr,
+                "the sky's table: twice %dx%d directions, above the horizon and below; more in twilight than "
+                "by day\n",
+                renderer->sky.columns, renderer->sky.rows);
+    } else if (renderer->sky.choice.method->integrates && !job->options->sky) {
+        fprintf(stderr, "no table of the sky: too few paths to repay it, or an observer above the air\n");
+    }
     fprintf(stderr, "compiled: %s\n", renderer->source_files);
 }
 
