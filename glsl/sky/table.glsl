@@ -9,17 +9,6 @@
 // interpolation errs 3 to 13 times less. Roots and powers of four are two square roots and two squares.
 #include "sky/sums.glsl"
 
-// Sine of the visible horizon's elevation from altitude h, negative; and of the elevation at which the air ends, 1 inside.
-float horizon_sine(Atmosphere a, float h) {
-    return -sqrt(h * (2.0 * a.planet_radius_m + h)) / (a.planet_radius_m + h);
-}
-
-float limb_sine(Atmosphere a, float h) {
-    float above = max(h - a.thickness_m, 0.0);
-    float sine = -sqrt(above * (2.0 * a.planet_radius_m + h + a.thickness_m)) / (a.planet_radius_m + h);
-    return h > a.thickness_m ? sine : 1.0;
-}
-
 vec3 fourth_root(vec3 v) {
     return sqrt(sqrt(v));
 }
@@ -29,7 +18,8 @@ vec3 fourth_power(vec3 v) {
     return squared * squared;
 }
 
-// Where `view` lies in the table: x across, y along, both in [0,1]; z is 1 below the horizon, else 0. `sun_level` is the
+// Where `view` lies in the table, between the sines of elevation of the visible `horizon` and of the `limb` where the air ends (1 from
+// inside): x across, y along, both in [0,1]; z is 1 below the horizon, else 0. `sun_level` is the
 // unit vector toward the sun's azimuth.
 vec3 table_position(float horizon, float limb, vec3 view, vec3 sun_level) {
     float along_sun = view.x * sun_level.x + view.z * sun_level.z;

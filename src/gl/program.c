@@ -13,32 +13,35 @@ static const char vertex_source[] =
     "    gl_Position = vec4(corner, 0.0, 1.0);\n"
     "}\n";
 
+/* Shaders and programs give their logs through functions of the same shape. */
+static void append_log(PFNGLGETSHADERIVPROC get, PFNGLGETSHADERINFOLOGPROC get_log, GLuint object,
+                       Text *log) {
+    GLint length = 0;
+    get(object, GL_INFO_LOG_LENGTH, &length);
+    char *words = memory_get((size_t)length + 1, 1);
+    get_log(object, length + 1, NULL, words);
+    text_append(log, words, strlen(words));
+    free(words);
+}
+
 static GLuint compile(const GlApi *gl, GLenum stage, const char *source, Text *log) {
     GLuint shader = gl->CreateShader(stage);
-    GLint ok = 0, length = 0;
+    GLint ok = 0;
     gl->ShaderSource(shader, 1, &source, NULL);
     gl->CompileShader(shader);
     gl->GetShaderiv(shader, GL_COMPILE_STATUS, &ok);
     if (ok) return shader;
-    gl->GetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
-    char *words = memory_get((size_t)length + 1, 1);
-    gl->GetShaderInfoLog(shader, length + 1, NULL, words);
-    text_append(log, words, strlen(words));
-    free(words);
+    append_log(gl->GetShaderiv, gl->GetShaderInfoLog, shader, log);
     gl->DeleteShader(shader);
     return 0;
 }
 
 static bool link_program(const GlApi *gl, GLuint program, Text *log) {
-    GLint ok = 0, length = 0;
+    GLint ok = 0;
     gl->LinkProgram(program);
     gl->GetProgramiv(program, GL_LINK_STATUS, &ok);
     if (ok) return true;
-    gl->GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-    char *words = memory_get((size_t)length + 1, 1);
-    gl->GetProgramInfoLog(program, length + 1, NULL, words);
-    text_append(log, words, strlen(words));
-    free(words);
+    append_log(gl->GetProgramiv, gl->GetProgramInfoLog, program, log);
     return false;
 }
 

@@ -3,7 +3,6 @@
 #include "gl/texture.h"
 
 #include <math.h>
-#include <string.h>
 
 enum {
     PATCH_COLUMNS = 64,
@@ -78,10 +77,9 @@ static bool fill(Irradiance *irradiance, Sky *sky, const SkyState *state, Error 
     static const double patch_count[3] = {PATCH_COLUMNS, PATCH_ROWS_ABOVE, PATCH_ROWS_BELOW};
     static const double size[3] = {TABLE_COLUMNS, TABLE_ROWS, 0};
     const GlApi *gl = irradiance->gl;
-    double r = state->atmosphere.planet_radius_m, h = state->atmosphere.observer_height_m;
     if (!sky_use(sky, &irradiance->patches, state, error)) return false;
     program_set_vec3(&irradiance->patches, "patch_count", patch_count);
-    program_set_float(&irradiance->patches, "patch_horizon", -sqrt(h * (2 * r + h)) / (r + h));
+    program_set_float(&irradiance->patches, "patch_horizon", sky_horizon_sine(&state->atmosphere));
     set_level(&irradiance->patches, "patch_level", state);
     gl->BindFramebuffer(GL_FRAMEBUFFER, irradiance->framebuffer[0]);
     gl->Viewport(0, 0, PATCH_COLUMNS, PATCH_ROWS);
@@ -110,9 +108,7 @@ bool irradiance_use(Irradiance *irradiance, Sky *sky, const Program *program, co
                     Error *error) {
     static const double size[3] = {TABLE_COLUMNS, TABLE_ROWS, 0};
     const GlApi *gl = irradiance->gl;
-    SkyState turned = *state; /* the table is turned with the sun when it is read */
-    turned.sun_azimuth_deg = irradiance->filled_for.sun_azimuth_deg;
-    bool filled = irradiance->fills && memcmp(&turned, &irradiance->filled_for, sizeof turned) == 0;
+    bool filled = irradiance->fills && sky_state_serves(&irradiance->filled_for, state);
     if (!filled && !fill(irradiance, sky, state, error)) return false;
     gl->ActiveTexture(GL_TEXTURE0 + TABLE_UNIT);
     gl->BindTexture(GL_TEXTURE_2D, irradiance->texture[2]);

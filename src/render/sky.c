@@ -11,6 +11,17 @@ enum { TABLE_UNIT = 4 }; /* texture units TABLE_UNIT and the next; the film has 
 
 static const double degree = 3.14159265358979323846 / 180;
 
+bool sky_state_serves(const SkyState *made_for, const SkyState *state) {
+    SkyState turned = *state;
+    turned.sun_azimuth_deg = made_for->sun_azimuth_deg;
+    return memcmp(&turned, made_for, sizeof turned) == 0;
+}
+
+double sky_horizon_sine(const Atmosphere *atmosphere) {
+    double r = atmosphere->planet_radius_m, h = atmosphere->observer_height_m;
+    return -sqrt(h * (2 * r + h)) / (r + h);
+}
+
 void sky_slots(const MethodChoice *choice, const Atmosphere *atmosphere, GlslSlot *slots, SkySlotText *text) {
     const char *sky = choice->table                ? "pass/sky_table.glsl"
                       : choice->method->integrates ? "pass/sky_direct.glsl"
@@ -110,7 +121,7 @@ static void set_table(const Sky *sky, const Program *program, const Atmosphere *
     double r = a->planet_radius_m, h = a->observer_height_m, top = a->top_radius_m - r;
     double size[3] = {sky->columns, sky->rows, 0};
     program_set_vec3(program, "sky_table_size", size);
-    program_set_float(program, "sky_horizon", -sqrt(h * (2 * r + h)) / (r + h));
+    program_set_float(program, "sky_horizon", sky_horizon_sine(a));
     program_set_float(program, "sky_limb", h > top ? -sqrt((h - top) * (2 * r + h + top)) / (r + h) : 1);
     program_set_int(program, "sky_table_rayleigh", TABLE_UNIT);
     program_set_int(program, "sky_table_mie", TABLE_UNIT + 1);
@@ -151,16 +162,10 @@ static bool fill(Sky *sky, const SkyState *state, Error *error) {
     return gl_check(sky->gl, "filling the sky's table", error);
 }
 
-/* The table is turned with the sun's azimuth when it is read, so that does not count. */
-static bool is_filled_for(const Sky *sky, const SkyState *state) {
-    SkyState turned = *state;
-    turned.sun_azimuth_deg = sky->filled_for.sun_azimuth_deg;
-    return sky->fills && memcmp(&turned, &sky->filled_for, sizeof turned) == 0;
-}
-
 bool sky_use(Sky *sky, const Program *program, const SkyState *state, Error *error) {
     if (sky->choice.table) {
-        if (!is_filled_for(sky, state) && !fill(sky, state, error)) return false;
+        if (!(sky->fills && sky_state_serves(&sky->filled_for, state)) && !fill(sky, state, error))
+            return false;
         for (unsigned i = 0; i < 2; i++) {
             sky->gl->ActiveTexture(GL_TEXTURE0 + TABLE_UNIT + i);
             sky->gl->BindTexture(GL_TEXTURE_2D, sky->texture[i]);

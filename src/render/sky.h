@@ -12,6 +12,13 @@ typedef struct SkyState {
     double sun_elevation_deg, sun_azimuth_deg;
 } SkyState;
 
+/* Whether a table made for one state serves the other: tables are turned with the sun's azimuth when they are
+ * read. */
+bool sky_state_serves(const SkyState *made_for, const SkyState *state);
+
+/* Sine of the elevation of the observer's visible horizon, at most 0. */
+double sky_horizon_sine(const Atmosphere *atmosphere);
+
 enum { SKY_SLOTS = 4 };
 
 typedef struct Sky {
