@@ -28,6 +28,7 @@ struct Material {
 struct Bounce {
     vec3 direction;
     vec3 weight;
+    float pdf;    // by solid angle, 1/sr; 0 where the direction was the only one, as on a mirror
     bool lambert; // whether it was drawn by Lambert's cosine, with the albedo as weight
 };
 

@@ -4,6 +4,7 @@
 //@ sun     elevation 30  azimuth 0
 //@ size    512 512
 //@ bound   0 hover 0 1
+//@ mirror-sphere  0 hover 0 1
 //@ preset  noon           sun.elevation 60
 //@ preset  afternoon      sun.elevation 30
 //@ preset  sunset         sun.elevation 5   exposure 0.5

@@ -53,7 +53,7 @@ void support_evaluate(const Context *context, const char *glsl, const float *inp
     gl->Viewport(0, 0, width, height);
     program_use(&program);
     program_set_int(&program, "inputs", 0);
-    program_draw(&program, width, 0, height);
+    program_draw(&program, 0, 0, width, height);
     gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
     gl->ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, results);
     if (!gl_check(gl, "evaluate", &error)) fail_msg("%s", error.text);

@@ -27,7 +27,7 @@ static void create_pass(const Context *context, const char *body, Program *progr
 static void run_pass(Film *film, const Program *program, unsigned pass, unsigned samples) {
     program_set_uint(program, "pass", pass);
     film_begin(film, program);
-    program_draw(program, film->width, 0, film->height);
+    program_draw(program, 0, 0, film->width, film->height);
     film_commit(film, samples);
 }
 
@@ -109,10 +109,10 @@ static void test_uncommitted(void **state) {
     assert_true(film_create(&film, &context, 4, 8, &error));
     run_pass(&film, &program, 0, 1);
     film_begin(&film, &program);
-    program_draw(&program, 4, 0, 3);
+    program_draw(&program, 0, 0, 4, 3);
     film_begin(&film, &program);
-    program_draw(&program, 4, 0, 5);
-    program_draw(&program, 4, 5, 3);
+    program_draw(&program, 0, 0, 4, 5);
+    program_draw(&program, 0, 5, 4, 3);
     film_commit(&film, 1);
     assert_true(film_read(&film, &image, &count, &error));
     assert_true(count.accepted == 2 * 4 * 8);

@@ -136,11 +136,14 @@ static void draw_lobe(const Context *context, const char *method) {
     char glsl[1024];
     snprintf(
         glsl, sizeof glsl,
-        "#include \"scene.glsl\"\n#include \"sequence/random.glsl\"\n#include \"light/%s.glsl\"\n"
+        "#include \"scene.glsl\"\n#include \"sequence/random.glsl\"\n#include \"sun/off.glsl\"\n#include "
+        "\"light/%s.glsl\"\n"
         "void scene_intersect(Ray r, inout Hit h) {}\n"
         "Material scene_material(Hit h) { return Material(0, vec3(1)); }\n"
         "Bounce material_sample(Material m, vec3 n, vec3 i, vec2 u, vec2 v) { return Bounce(n, vec3(1), "
-        "false); }\n"
+        "0.0, false); }\n"
+        "float material_pdf(Material m, vec3 n, vec3 i, vec3 o) { return 0.0; }\n"
+        "vec3 material_value(Material m, vec3 n, vec3 i, vec3 o) { return vec3(0); }\n"
         "vec3 sky_radiance(vec3 d) { return vec3(1); }\n"
         "vec4 evaluate(vec2 t) {\n"
         "    vec3 n = normalize(vec3(1, -2, 0.5)), x = normalize(cross(n, vec3(0, 0, 1))), y = cross(n, x);\n"

@@ -5,12 +5,13 @@
 // is blocked, the blocker's light less the sky's behind it. The mean is the same and the open sky's noise is gone. Half of these
 // bounces go toward what may block the sky, where the scene says where that is (bounds). On slopes and in hollows much is blocked,
 // and there the plain cosine does better.
-#include "light/cone.glsl"
+#include "math/cone.glsl"
 #include "light/irradiance.glsl"
 #include "light/lambert.glsl"
 #include "light/roulette.glsl"
 #include "light/surface.glsl"
 #include "math/finite.glsl"
+#include "sun/ask.glsl"
 
 vec3 sky_irradiance_over_pi(vec3 normal);
 
@@ -43,6 +44,8 @@ Bounce blocker_bounce(Bounce bounce, vec3 position, vec3 normal, vec2 u, float c
 
 vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     vec3 throughput = vec3(1.0);
+    vec3 gathered = vec3(0.0); // at the hits so far
+    int sun = SUN_SOUGHT;
     vec3 known = vec3(0.0);   // the open sky's light on the first level ground
     vec3 control = vec3(0.0); // what the bounce from there takes off, over the sky's radiance behind it
     vec3 control_direction = vec3(0.0, 1.0, 0.0);
@@ -58,8 +61,11 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
         if (alive) {
             vec2 u = sequence_pair(sequence);
             vec2 v = sequence_pair(sequence);
-            Bounce bounce = material_sample(scene_material(hit), hit.normal, ray.direction, u, v);
+            Material material = scene_material(hit);
+            Bounce bounce = material_sample(material, hit.normal, ray.direction, u, v);
             hits += 1;
+            gathered += throughput * sun_reflected(hit, material, ray.direction, max_hits - hits, sequence);
+            sun = sun_after_bounce(sun, hit, material, ray.direction, bounce);
             if (bounce.lambert && hit.normal.y >= LEVEL_GROUND && !controlled) {
                 controlled = true;
                 control_hits = hits;
@@ -79,8 +85,9 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     bool open = escaped && controlled && hits == control_hits;
     vec3 brought = throughput * sky_radiance(ray.direction);
     vec3 taken = control * sky_radiance(control_direction);
-    vec3 radiance = known;
-    if (escaped || !is_finite(brought)) radiance += brought;
-    if (controlled) radiance -= taken;
-    return open ? known : radiance;
+    vec3 sky = known;
+    if (escaped || !is_finite(brought)) sky += brought;
+    if (controlled) sky -= taken;
+    vec3 disk = escaped ? throughput * sun_escaped(sun, ray.direction) : vec3(0.0);
+    return gathered + (open ? known : sky) + disk;
 }

@@ -5,3 +5,7 @@
 vec3 matte_direction(vec3 normal, vec2 u, vec2 v) {
     return normalize(normal + 0.999999 * sphere_sample(u));
 }
+
+float matte_density(float cosine) {
+    return max(cosine, 0.0) / PI;
+}

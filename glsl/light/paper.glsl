@@ -7,3 +7,8 @@ vec3 matte_direction(vec3 normal, vec2 u, vec2 v) {
     float radius = 0.999999 * pow(v.x, 1.0 / 3.0);
     return normalize(normal + radius * sphere_sample(u));
 }
+
+float matte_density(float cosine) {
+    float c = max(cosine, 0.0);
+    return 2.0 * c * c * c / PI;
+}

@@ -1,12 +1,15 @@
 // The path: rays bounce in the scene, without air between the hits, and whoever escapes brings the sky's radiance back.
 #include "light/roulette.glsl"
 #include "light/surface.glsl"
+#include "sun/ask.glsl"
 #include "math/finite.glsl"
 
 // Radiance that comes back along `ray`, with at most `max_hits` surface hits. The sky is asked once, after the loop,
 // where all of a picture's neighbours ask together.
 vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     vec3 throughput = vec3(1.0);
+    vec3 gathered = vec3(0.0); // at the hits so far
+    int sun = SUN_SOUGHT;
     int hits = 0;
     bool escaped = false;
     bool alive = true;
@@ -17,16 +20,19 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
         if (alive) {
             vec2 u = sequence_pair(sequence);
             vec2 v = sequence_pair(sequence);
-            Bounce bounce = material_sample(scene_material(hit), hit.normal, ray.direction, u, v);
+            Material material = scene_material(hit);
+            Bounce bounce = material_sample(material, hit.normal, ray.direction, u, v);
+            hits += 1;
+            gathered += throughput * sun_reflected(hit, material, ray.direction, max_hits - hits, sequence);
+            sun = sun_after_bounce(sun, hit, material, ray.direction, bounce);
             throughput *= bounce.weight;
             ray = ray_from(hit, bounce.direction);
-            hits += 1;
             float survival = roulette_survival(throughput, hits);
             alive = !(v.y >= survival);
             throughput /= alive ? survival : 1.0;
         }
     } while (alive);
-    // A path that ended in the scene brings nothing, but for what is not finite: that must be seen and counted.
-    vec3 radiance = throughput * sky_radiance(ray.direction);
-    return escaped || !is_finite(radiance) ? radiance : vec3(0.0);
+    // A path that ended in the scene brings no sky, but for what is not finite: that must be seen and counted.
+    vec3 brought = throughput * (sky_radiance(ray.direction) + sun_escaped(sun, ray.direction));
+    return escaped || !is_finite(brought) ? gathered + brought : gathered;
 }

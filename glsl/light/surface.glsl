@@ -3,7 +3,11 @@
 // What a light method asks of a scene and its materials.
 void scene_intersect(Ray ray, INOUT(Hit) hit);
 Material scene_material(Hit hit);
+// f cos / pdf and direction of a bounce, from u, v in [0,1)^2; the density of its direction, 1/sr; f cos. The last two know
+// nothing of a mirror's one direction.
 Bounce material_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
+float material_pdf(Material material, vec3 normal, vec3 incoming, vec3 outgoing);
+vec3 material_value(Material material, vec3 normal, vec3 incoming, vec3 outgoing);
 vec3 sky_radiance(vec3 direction);
 
 // The nearest hit, with its position and its normal toward the ray's origin; t is INFINITY where there is none.

@@ -146,10 +146,10 @@ static bool take_progress(Options *options, const char *name, const char *value,
 }
 
 /* Options that keep their words or switch something on need no code of their own. */
-typedef enum Kind { KIND_TAKE, KIND_STRING, KIND_FLAG } Kind;
+typedef enum Kind { KIND_TAKE, KIND_STRING, KIND_FLAG, KIND_OPTIONAL } Kind;
 
 typedef struct Option {
-    const char *name, *argument; /* argument NULL for a flag */
+    const char *name, *argument; /* argument NULL for a flag, "[=WORD]" for one that takes a word or "auto" */
     int commands;
     Kind kind;
     Take take;
@@ -161,6 +161,8 @@ typedef struct Option {
     { name, argument, commands, KIND_TAKE, take, 0, help }
 #define STRING(name, argument, commands, member, help)                                                       \
     { name, argument, commands, KIND_STRING, NULL, offsetof(Options, member), help }
+#define OPTIONAL(name, argument, commands, member, help)                                                     \
+    { name, argument, commands, KIND_OPTIONAL, NULL, offsetof(Options, member), help }
 #define FLAG(name, commands, member, help)                                                                   \
     { name, NULL, commands, KIND_FLAG, NULL, offsetof(Options, member), help }
 
@@ -189,7 +191,8 @@ static const Option table[] = {
     TAKE("--progress", "KIND", R, take_progress, "tty, json or none; tty on a terminal, else none"),
     STRING("--at", "FILE.csv", S, at,
            "radiances for rows height_m,sun_el_deg,view_el_deg,az_deg (azimuth from the sun's), as CSV"),
-    FLAG("--sun-disk", S, sun_disk, "draw the sun's disk, 0.2666 degrees in radius, into the map"),
+    OPTIONAL("--sun-disk", "[=METHOD]", R | F | S, sun_disk,
+             "the sun itself, 0.2666 degrees in radius: sampled, chance or off; on if a scene says so"),
     FLAG("--quiet", R | S, quiet, "no summary, no progress"),
     FLAG("-v", R, verbose, "say what is chosen and why"),
     TAKE("--max-relrmse", "PERCENT", C, take_max_relrmse, "exit with 6 if the relRMSE is above this"),
@@ -220,6 +223,9 @@ static bool take_option(Options *options, const Option *option, const char *valu
     case KIND_STRING:
         *(const char **)target = value;
         return true;
+    case KIND_OPTIONAL:
+        *(const char **)target = value ? value : "auto";
+        return true;
     case KIND_TAKE:
         return option->take(options, option->name, value, error);
     }
@@ -240,7 +246,7 @@ static bool parse_option(Options *options, int argc, char **argv, int *at, int c
     if (option->kind == KIND_FLAG && value) {
         return error_set(error, STATUS_USAGE, "%s takes no value", option->name);
     }
-    if (option->kind != KIND_FLAG && !value) {
+    if (option->kind != KIND_FLAG && option->kind != KIND_OPTIONAL && !value) {
         if (*at + 1 >= argc)
             return error_set(error, STATUS_USAGE, "%s needs a value %s", option->name, option->argument);
         value = argv[++*at];
@@ -301,7 +307,8 @@ void options_print_help(Command command) {
     for (int i = 0; i < TABLE; i++) {
         if (!(table[i].commands & (int)command)) continue;
         char left[40];
-        snprintf(left, sizeof left, "%s %s", table[i].name, table[i].argument ? table[i].argument : "");
+        snprintf(left, sizeof left, "%s%s%s", table[i].name, table[i].kind == KIND_OPTIONAL ? "" : " ",
+                 table[i].argument ? table[i].argument : "");
         printf("  %-24s %s\n", left, table[i].help);
     }
 }

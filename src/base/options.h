@@ -37,7 +37,7 @@ typedef struct Options {
     bool has_exposure;
     double exposure_ev;
     const char *tone, *progress, *at;
-    bool sun_disk;
+    const char *sun_disk; /* the method that finds the sun's disk */
     bool quiet, verbose;
 
     double max_relrmse_percent, max_bias_percent; /* infinite when absent */

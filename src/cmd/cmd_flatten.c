@@ -15,7 +15,8 @@ Status cmd_flatten(const Options *options, Error *error) {
                                .library = library,
                                .sky = options->sky,
                                .light = options->light,
-                               .sequence = options->sequence};
+                               .sequence = options->sequence,
+                               .sun_disk = options->sun_disk};
         ok = renderer_flatten(&params, &source, error);
     }
     if (ok) fwrite(source.text.data, 1, source.text.size, stdout);

@@ -55,6 +55,7 @@ static bool prepare(Job *job, Error *error) {
                            .sky = options->sky,
                            .light = options->light,
                            .sequence = options->sequence,
+                           .sun_disk = options->sun_disk,
                            .width = options->width,
                            .height = options->height,
                            .seed = options->seed,
@@ -110,6 +111,8 @@ static void describe(const Job *job, int argc, char **argv, AttributeList *list)
     attribute_add(list, "magichour.scene", "%s", scene->path);
     attribute_add(list, "magichour.sun", "elevation %.9g azimuth %.9g", scene->sun_elevation_deg,
                   scene->sun_azimuth_deg);
+    attribute_add(list, "magichour.sun_disk", "%s, radius %.9g degrees", renderer->sun_disk.text,
+                  scene->sun_radius_deg);
     attribute_add(list, "magichour.sky", "%s", renderer->sky.choice.text);
     attribute_add(list, "magichour.light", "%s", renderer->light.text);
     attribute_add(list, "magichour.sequence", "%s", renderer->sequence.text);
@@ -150,9 +153,9 @@ static void say_choices(const Job *job) {
     const Renderer *renderer = &job->renderer;
     fprintf(stderr, "backend %s (%s): %s, OpenGL %s\n", job->context.backend->name, job->context.detail,
             job->context.renderer, job->context.version);
-    fprintf(stderr, "sky %s, light %s, sequence %s, at most %d hits, groups of %u samples\n",
-            renderer->sky.choice.text, renderer->light.text, renderer->sequence.text, renderer->max_hits,
-            renderer->group_samples);
+    fprintf(stderr, "sky %s, sun disk %s, light %s, sequence %s, at most %d hits, groups of %u samples\n",
+            renderer->sky.choice.text, renderer->sun_disk.text, renderer->light.text, renderer->sequence.text,
+            renderer->max_hits, renderer->group_samples);
     if (renderer->sky.choice.table) {
         fprintf(stderr,
                 "the sky's table: twice %dx%d directions, above the horizon and below; more in twilight than "
@@ -161,7 +164,7 @@ static void say_choices(const Job *job) {
     } else if (renderer->sky.choice.method->integrates && !job->options->sky) {
         fprintf(stderr, "no table of the sky: too few paths to repay it, or an observer above the air\n");
     }
-    fprintf(stderr, "compiled: %s\n", renderer->source_files);
+    fprintf(stderr, "compiled: %s\n", text_string(&renderer->source_files));
 }
 
 static void say_summary(const Job *job) {

@@ -5,6 +5,7 @@
 #include "image/image.h"
 #include "render/sky_probe.h"
 #include "render/sky_reference.h"
+#include "render/sun.h"
 #include "render/sun_disk.h"
 
 #include <math.h>
@@ -55,8 +56,11 @@ static void map_direction(double x, double y, int width, int height, double out[
 }
 
 static void add_disk(const Job *job, Image *image) {
-    double sun[3], radius = SUN_RADIUS_DEG + 180.0 / image->height + 360.0 / image->width;
-    unit_vector(job->scene.sun_elevation_deg, job->scene.sun_azimuth_deg, sun);
+    const Scene *scene = &job->scene;
+    double radius = scene->sun_radius_deg + 180.0 / image->height + 360.0 / image->width;
+    SunDisk disk =
+        sun_disk(&scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg, scene->sun_radius_deg);
+    const double *sun = disk.middle;
     for (int i = 0; i < image->width * image->height; i++) {
         double middle[3];
         map_direction(i % image->width + 0.5, i / image->width + 0.5, image->width, image->height, middle);
@@ -67,7 +71,7 @@ static void add_disk(const Job *job, Image *image) {
             map_direction(i % image->width + (s % DISK_SAMPLES + 0.5) / DISK_SAMPLES,
                           i / image->width + (s / DISK_SAMPLES + 0.5) / DISK_SAMPLES, image->width,
                           image->height, direction);
-            sun_disk_radiance(&job->scene.atmosphere, sun, direction, radiance);
+            sun_disk_radiance(&disk, &scene->atmosphere, direction, radiance);
             for (int c = 0; c < 3; c++)
                 image->rgba[4 * i + c] += (float)(radiance[c] / (DISK_SAMPLES * DISK_SAMPLES));
         }
@@ -110,7 +114,11 @@ static bool make_map(Job *job, int argc, char **argv, Error *error) {
         if (!image_check_path(options->outputs[i], error) || !file_check_target(options->outputs[i], error))
             return false;
     }
-    if (!open_probe(job, (double)width * height, error)) return false;
+    MethodChoice disk;
+    if (!sun_choose(&disk, options->sun_disk, &job->scene, error) ||
+        !open_probe(job, (double)width * height, error)) {
+        return false;
+    }
     job->method = job->probe.sky.choice.text;
     Image image = image_create(width, height);
     for (int i = 0; i < width * height; i++) {
@@ -121,7 +129,7 @@ static bool make_map(Job *job, int argc, char **argv, Error *error) {
     SkyState state = state_of(&job->scene);
     bool ok =
         sky_probe_ask(&job->probe, &state, image.rgba, (size_t)width * (size_t)height, image.rgba, error);
-    if (ok && options->sun_disk) add_disk(job, &image);
+    if (ok && strcmp(disk.method->name, "off") != 0) add_disk(job, &image);
     ok = ok && write_map(job, &image, argc, argv, error);
     image_free(&image);
     return ok;

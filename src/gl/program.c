@@ -105,9 +105,9 @@ void program_set_vec3(const Program *program, const char *name, const double val
     program->gl->Uniform3f(locate(program, name), (float)value[0], (float)value[1], (float)value[2]);
 }
 
-void program_draw(const Program *program, int width, int row, int rows) {
+void program_draw(const Program *program, int x, int y, int width, int height) {
     program->gl->Enable(GL_SCISSOR_TEST);
-    program->gl->Scissor(0, row, width, rows);
+    program->gl->Scissor(x, y, width, height);
     program->gl->DrawArrays(GL_TRIANGLES, 0, 3);
     program->gl->Disable(GL_SCISSOR_TEST);
 }

@@ -25,5 +25,5 @@ void program_set_floats(const Program *program, const char *name, const double *
                         int count); /* float name[count] */
 void program_set_vec3(const Program *program, const char *name, const double value[3]);
 
-/* Draws the triangle on the bound framebuffer, rows [row, row + rows) of a `width` wide target. */
-void program_draw(const Program *program, int width, int row, int rows);
+/* Draws the triangle on the bound framebuffer's pixels [x, x + width) x [y, y + height). */
+void program_draw(const Program *program, int x, int y, int width, int height);

@@ -83,7 +83,7 @@ static bool fill(Irradiance *irradiance, Sky *sky, const SkyState *state, Error 
     set_level(&irradiance->patches, "patch_level", state);
     gl->BindFramebuffer(GL_FRAMEBUFFER, irradiance->framebuffer[0]);
     gl->Viewport(0, 0, PATCH_COLUMNS, PATCH_ROWS);
-    program_draw(&irradiance->patches, PATCH_COLUMNS, 0, PATCH_ROWS);
+    program_draw(&irradiance->patches, 0, 0, PATCH_COLUMNS, PATCH_ROWS);
 
     program_use(&irradiance->fill);
     program_set_vec3(&irradiance->fill, "irradiance_size", size);
@@ -98,7 +98,7 @@ static bool fill(Irradiance *irradiance, Sky *sky, const SkyState *state, Error 
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindFramebuffer(GL_FRAMEBUFFER, irradiance->framebuffer[1]);
     gl->Viewport(0, 0, TABLE_COLUMNS, TABLE_ROWS);
-    program_draw(&irradiance->fill, TABLE_COLUMNS, 0, TABLE_ROWS);
+    program_draw(&irradiance->fill, 0, 0, TABLE_COLUMNS, TABLE_ROWS);
     irradiance->filled_for = *state;
     irradiance->fills++;
     return gl_check(gl, "filling the sky's irradiance", error);

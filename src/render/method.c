@@ -11,12 +11,12 @@ enum { MOST_STEPS = 65535, FEWEST_NODES = 4, MOST_NODES = 12, DEFAULT_NODES = 8,
  * sample is even. */
 static const double table_pays = 6e4;
 
-static const char *const family_names[METHOD_FAMILIES] = {"--sky", "--light", "--sequence"};
+static const char *const family_names[METHOD_FAMILIES] = {"--sky", "--light", "--sequence", "--sun-disk"};
 
 /* Errors in the crater at 64 samples, sun 30 and 5: cosine sobol 1.9 and 2.8 % in 0.45 s, cosine additive 2.8
  * %, cosine random 4.4 and 3.8 % in 0.4 s; control sobol 1.1 and 1.3 % in 0.9 s, but it asks the sky twice a
  * path, which only a table makes cheap. */
-static const char *const defaults[METHOD_FAMILIES] = {"table:gauss:8", "cosine", "sobol"};
+static const char *const defaults[METHOD_FAMILIES] = {"table:gauss:8", "cosine", "sobol", "sampled"};
 
 static const Method methods[] = {
     {METHOD_SKY, "gauss", "pass/sums_gauss.glsl", true,
@@ -38,6 +38,10 @@ static const Method methods[] = {
     {METHOD_SEQUENCE, "random", "sequence/random.glsl", false, "independent numbers from a PCG hash"},
     {METHOD_SEQUENCE, "sobol", "sequence/sobol.glsl", false,
      "Sobol pairs, shuffled and Owen-scrambled by hashing"},
+    {METHOD_SUN, "off", "sun/off.glsl", false, "the sun lights the sky and is not there itself"},
+    {METHOD_SUN, "sampled", "sun/sampled.glsl", false,
+     "each hit seeks the disk, straight and by the scene's mirror spheres; its own image is exact"},
+    {METHOD_SUN, "chance", "sun/chance.glsl", false, "rays find the disk or do not: to judge the other by"},
 };
 
 const Method *method_get(int index) {

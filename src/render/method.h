@@ -3,7 +3,13 @@
 
 #include "base/error.h"
 
-typedef enum MethodFamily { METHOD_SKY, METHOD_LIGHT, METHOD_SEQUENCE, METHOD_FAMILIES } MethodFamily;
+typedef enum MethodFamily {
+    METHOD_SKY,
+    METHOD_LIGHT,
+    METHOD_SEQUENCE,
+    METHOD_SUN,
+    METHOD_FAMILIES
+} MethodFamily;
 
 typedef struct Method {
     MethodFamily family;

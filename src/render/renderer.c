@@ -16,20 +16,19 @@ enum {
     UNLIMITED_HITS = 1000
 };
 
-static const double degree = 3.14159265358979323846 / 180;
-
 typedef struct Methods {
-    MethodChoice sky, light, sequence;
+    MethodChoice sky, light, sequence, sun;
 } Methods;
 
 static bool uses_control(const Methods *methods) {
     return strcmp(methods->light.method->name, "control") == 0;
 }
 
-/* Loop iterations of one sample: itself, its hits with the bounds at each, and the sky. */
+/* Loop iterations of one sample: itself, its hits with the bounds and mirror spheres at each, and the sky. */
 static long sample_iterations(const Methods *methods, const Scene *scene, int max_hits) {
-    bool control = uses_control(methods);
+    bool control = uses_control(methods), sun = strcmp(methods->sun.method->name, "sampled") == 0;
     long hit = 1 + (control ? 2L * scene->bound_count : 0);
+    if (sun && scene->mirror_count) hit += 6 + 5L * scene->mirror_count;
     long sky = methods->sky.table ? 0 : methods->sky.iterations;
     return 1 + (max_hits + 1L) * hit + sky * (control ? 2 : 1);
 }
@@ -66,7 +65,8 @@ static bool choose_methods(Methods *methods, const RenderParams *params, int wid
         return error_prefix(error, "%s:%d: ", scene->path, scene->sky_line);
     }
     return method_choose(&methods->light, METHOD_LIGHT, params->light, error) &&
-           method_choose(&methods->sequence, METHOD_SEQUENCE, params->sequence, error);
+           method_choose(&methods->sequence, METHOD_SEQUENCE, params->sequence, error) &&
+           sun_choose(&methods->sun, params->sun_disk, scene, error);
 }
 
 static int picture_width(const RenderParams *params) {
@@ -94,84 +94,58 @@ static bool check_scene_functions(const RenderParams *params, Error *error) {
     return ok;
 }
 
-/* The scene's bounds as GLSL, their words as they are: numbers, or the uniforms of sliders. */
-static void write_bounds(const Scene *scene, Text *text) {
-    text_print(text, "const int SCENE_BOUNDS = %d;\nvec4 scene_bound(int i) {\n", scene->bound_count);
-    for (int i = 0; i < scene->bound_count; i++) {
+/* The spheres that a scene names as GLSL, their words as they are: numbers, or the uniforms of sliders. */
+static void write_spheres(Text *text, const char *count_name, const char *function,
+                          const NamedSphere *spheres, int count) {
+    text_print(text, "const int %s = %d;\nvec4 %s(int i) {\n", count_name, count, function);
+    for (int i = 0; i < count; i++) {
         text_print(text, "    if (i == %d) return vec4(", i);
-        for (int k = 0; k < 4; k++) text_print(text, "%sfloat(%s)", k ? ", " : "", scene->bounds[i].words[k]);
+        for (int k = 0; k < 4; k++) text_print(text, "%sfloat(%s)", k ? ", " : "", spheres[i].words[k]);
         text_print(text, ");\n");
     }
     text_print(text, "    return vec4(0.0);\n}");
 }
 
-static bool flatten(const Methods *methods, const RenderParams *params, GlslSource *source, Error *error) {
-    GlslSlot slots[SKY_SLOTS + 5] = {{0}};
+/* `image`: with the sun's own image. */
+static bool flatten(const Methods *methods, const RenderParams *params, bool image, GlslSource *source,
+                    Error *error) {
+    const Scene *scene = params->scene;
+    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 5] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
     SkySlotText text;
-    Text bounds = {0};
-    write_bounds(params->scene, &bounds);
-    sky_slots(&methods->sky, &params->scene->atmosphere, slots, &text);
-    slots[SKY_SLOTS] = (GlslSlot){"sequence", methods->sequence.method->file, NULL};
-    slots[SKY_SLOTS + 1] = (GlslSlot){"light", methods->light.method->file, NULL};
-    slots[SKY_SLOTS + 2] = (GlslSlot){"scene", params->scene->path, NULL};
-    slots[SKY_SLOTS + 3] = (GlslSlot){"bounds", NULL, text_string(&bounds)};
+    Text bounds = {0}, mirrors = {0};
+    write_spheres(&bounds, "SCENE_BOUNDS", "scene_bound", scene->bounds, scene->bound_count);
+    write_spheres(&mirrors, "MIRROR_SPHERES", "mirror_sphere", scene->mirrors, scene->mirror_count);
+    sky_slots(&methods->sky, &scene->atmosphere, slots, &text);
+    sun_slots(&methods->sun, scene, image, text_string(&mirrors), slots + SKY_SLOTS);
+    slot[0] = (GlslSlot){"sequence", methods->sequence.method->file, NULL};
+    slot[1] = (GlslSlot){"light", methods->light.method->file, NULL};
+    slot[2] = (GlslSlot){"scene", scene->path, NULL};
+    slot[3] = (GlslSlot){"bounds", NULL, text_string(&bounds)};
     bool ok = check_scene_functions(params, error) &&
               glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
     text_free(&bounds);
+    text_free(&mirrors);
     return ok;
 }
 
 bool renderer_flatten(const RenderParams *params, GlslSource *source, Error *error) {
     Methods methods;
     return choose_methods(&methods, params, picture_width(params), picture_height(params), error) &&
-           flatten(&methods, params, source, error);
+           flatten(&methods, params, false, source, error);
 }
 
-static bool create_program(Renderer *renderer, const Methods *methods, const RenderParams *params,
-                           Error *error) {
+static bool create_program(Program *program, const Context *context, const Methods *methods,
+                           const RenderParams *params, bool image, Text *files, Error *error) {
     GlslSource source;
-    if (!flatten(methods, params, &source, error)) return false;
-    bool ok = program_create(&renderer->program, renderer->gl, &source, error);
+    if (!flatten(methods, params, image, &source, error)) return false;
+    bool ok = program_create(program, &context->gl, &source, error);
     /* A scene that breaks off shows its fault only in the text behind it. */
     if (!ok && strncmp(error->text, params->library, strlen(params->library)) == 0)
         error_prefix(error, "%s: ", params->scene->path);
-    for (int i = 0; i < source.file_count; i++) {
-        size_t used = strlen(renderer->source_files);
-        snprintf(renderer->source_files + used, sizeof renderer->source_files - used, "%s%s", i ? " " : "",
-                 source.files[i]);
-    }
+    for (int i = 0; files && i < source.file_count; i++)
+        text_print(files, "%s%s", i ? " " : "", source.files[i]);
     glsl_source_destroy(&source);
     return ok;
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-    for (int i = 0; i < 3; i++) out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
-static void scale_to(double v[3], double length) {
-    double factor = length / sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    for (int i = 0; i < 3; i++) v[i] *= factor;
-}
-
-static void set_camera(const Program *program, const Scene *scene, int width, int height) {
-    double forward[3], right[3], up[3] = {0, 1, 0};
-    double size[3] = {width, height, 0};
-    double half_height = tan(scene->fov_deg * degree / 2);
-    for (int i = 0; i < 3; i++) forward[i] = scene->target[i] - scene->eye[i];
-    scale_to(forward, 1);
-    if (fabs(forward[1]) > 1 - 1e-12) { /* straight up or down: the picture's top is +z */
-        up[1] = 0;
-        up[2] = 1;
-    }
-    cross(forward, up, right);
-    scale_to(right, half_height * width / height);
-    cross(right, forward, up);
-    scale_to(up, half_height);
-    program_set_vec3(program, "camera_eye", scene->eye);
-    program_set_vec3(program, "camera_forward", forward);
-    program_set_vec3(program, "camera_right", right);
-    program_set_vec3(program, "camera_up", up);
-    program_set_vec3(program, "picture_size", size);
 }
 
 static void set_parameters(const Program *program, const Scene *scene) {
@@ -191,13 +165,38 @@ static void set_parameters(const Program *program, const Scene *scene) {
     }
 }
 
-/* The table that --light control looks up. */
-static bool use_irradiance(Renderer *renderer, const Context *context, const RenderParams *params,
-                           const Methods *methods, const SkyState *state, Error *error) {
-    if (!uses_control(methods)) return true;
-    return irradiance_create(&renderer->irradiance, context, params->library, &methods->sky,
-                             &state->atmosphere, error) &&
-           irradiance_use(&renderer->irradiance, &renderer->sky, &renderer->program, state, error);
+/* Tells one of the programs all that stays as it is. */
+static bool set_up(Renderer *renderer, const Program *program, const Scene *scene, const SkyState *state,
+                   Error *error) {
+    if (renderer->irradiance.gl &&
+        !irradiance_use(&renderer->irradiance, &renderer->sky, program, state, error))
+        return false;
+    if (!sky_use(&renderer->sky, program, state, error)) return false;
+    sun_use(&renderer->sun, program, scene, &renderer->camera);
+    camera_set(&renderer->camera, program);
+    set_parameters(program, scene);
+    program_set_uint(program, "seed", renderer->seed);
+    program_set_int(program, "max_hits", renderer->max_hits);
+    return gl_check(renderer->gl, "setting up the pass", error);
+}
+
+static bool create_parts(Renderer *renderer, const Context *context, const RenderParams *params,
+                         const Methods *methods, Error *error) {
+    const Scene *scene = params->scene;
+    const Camera *camera = &renderer->camera;
+    if (!create_program(&renderer->program, context, methods, params, false, &renderer->source_files,
+                        error) ||
+        !film_create(&renderer->film, context, camera->width, camera->height, error) ||
+        !sky_create(&renderer->sky, context, params->library, &methods->sky, &scene->atmosphere, error) ||
+        !sun_create(&renderer->sun, context, &methods->sun, scene, camera, error)) {
+        return false;
+    }
+    if (renderer->sun.rectangle_count &&
+        !create_program(&renderer->image_program, context, methods, params, true, NULL, error)) {
+        return false;
+    }
+    return !uses_control(methods) || irradiance_create(&renderer->irradiance, context, params->library,
+                                                       &methods->sky, &scene->atmosphere, error);
 }
 
 bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
@@ -210,21 +209,19 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
                            .max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS};
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
         !choose_methods(&methods, params, width, height, error) ||
-        !choose_group(renderer, &methods, scene, width, error) ||
-        !create_program(renderer, &methods, params, error) ||
-        !film_create(&renderer->film, context, width, height, error) ||
-        !sky_create(&renderer->sky, context, params->library, &methods.sky, &scene->atmosphere, error) ||
-        !use_irradiance(renderer, context, params, &methods, &state, error) ||
-        !sky_use(&renderer->sky, &renderer->program, &state, error)) {
+        !choose_group(renderer, &methods, scene, width, error)) {
         goto fail;
     }
     renderer->light = methods.light;
     renderer->sequence = methods.sequence;
-    set_camera(&renderer->program, scene, width, height);
-    set_parameters(&renderer->program, scene);
-    program_set_uint(&renderer->program, "seed", renderer->seed);
-    program_set_int(&renderer->program, "max_hits", renderer->max_hits);
-    if (!gl_check(renderer->gl, "setting up the pass", error)) goto fail;
+    renderer->sun_disk = methods.sun;
+    renderer->camera = camera_of(scene, width, height);
+    if (!create_parts(renderer, context, params, &methods, error) ||
+        !set_up(renderer, &renderer->program, scene, &state, error)) {
+        goto fail;
+    }
+    if (renderer->image_program.id && !set_up(renderer, &renderer->image_program, scene, &state, error))
+        goto fail;
     return true;
 fail:
     renderer_destroy(renderer);
@@ -233,9 +230,12 @@ fail:
 
 void renderer_destroy(Renderer *renderer) {
     irradiance_destroy(&renderer->irradiance);
+    sun_destroy(&renderer->sun);
     sky_destroy(&renderer->sky);
     film_destroy(&renderer->film);
     program_destroy(&renderer->program);
+    program_destroy(&renderer->image_program);
+    text_free(&renderer->source_files);
     *renderer = (Renderer){0};
 }
 
@@ -246,23 +246,39 @@ static int strip_rows(const Renderer *renderer, int rows_left) {
     return rows < rows_left ? rows : rows_left;
 }
 
+static void begin(Renderer *renderer, const Program *program, unsigned group) {
+    program_use(program);
+    program_set_uint(program, "first_sample", (unsigned)renderer->film.samples);
+    program_set_uint(program, "group_samples", group);
+    film_begin(&renderer->film, program);
+}
+
+/* The pixels that may hold the sun's own image, once more and now with it. */
+static void draw_sun_image(Renderer *renderer, unsigned group) {
+    if (!renderer->sun.rectangle_count) return;
+    begin(renderer, &renderer->image_program, group);
+    for (int i = 0; i < renderer->sun.rectangle_count; i++) {
+        const Rectangle *r = &renderer->sun.rectangles[i];
+        program_draw(&renderer->image_program, r->x, r->y, r->width, r->height);
+    }
+    renderer->gl->Finish();
+}
+
 bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error) {
     Film *film = &renderer->film;
     unsigned group = samples < renderer->group_samples ? (unsigned)samples : renderer->group_samples;
     bool stopped = false;
-    program_use(&renderer->program);
-    program_set_uint(&renderer->program, "first_sample", (unsigned)film->samples);
-    program_set_uint(&renderer->program, "group_samples", group);
-    film_begin(film, &renderer->program);
+    begin(renderer, &renderer->program, group);
     for (int row = 0; row < film->height && !stopped;) {
         int rows = strip_rows(renderer, film->height - row);
         double start = clock_seconds();
-        program_draw(&renderer->program, film->width, row, rows);
+        program_draw(&renderer->program, 0, row, film->width, rows);
         renderer->gl->Finish();
         renderer->rows_per_second = rows / fmax(clock_seconds() - start, 1e-6);
         row += rows;
         stopped = row < film->height && stop && stop();
     }
+    if (!stopped) draw_sun_image(renderer, group);
     if (!gl_check(renderer->gl, "drawing a pass", error)) return false;
     if (!stopped || film->samples == 0) film_commit(film, group);
     return true;

@@ -6,13 +6,15 @@
 #pragma once
 
 #include "gl/film.h"
+#include "render/camera.h"
 #include "render/irradiance.h"
-#include "scene/scene.h"
+#include "render/sun.h"
 
 typedef struct RenderParams {
     const Scene *scene;
     const char *library;                /* folder of the GLSL library */
     const char *sky, *light, *sequence; /* NULL for the default; the scene's own sky comes before it */
+    const char *sun_disk;               /* NULL for what the scene says */
     int width, height;                  /* 0 for the scene's */
     unsigned seed;
     int max_hits;     /* 0 is unlimited */
@@ -22,15 +24,19 @@ typedef struct RenderParams {
 typedef struct Renderer {
     const GlApi *gl;
     Program program;
+    Program
+        image_program; /* the same with the sun's own image, for the pixels that may hold it; may be empty */
     Film film;
+    Camera camera;
     Sky sky;
+    Sun sun;
     Irradiance irradiance; /* empty unless the light method asks for it */
-    MethodChoice light, sequence;
+    MethodChoice light, sequence, sun_disk;
     int max_hits;
     unsigned seed;
-    unsigned group_samples;  /* per pass; the last pass may take fewer */
-    double rows_per_second;  /* measured; sizes the draws */
-    char source_files[2048]; /* what was compiled, for -v */
+    unsigned group_samples; /* per pass; the last pass may take fewer */
+    double rows_per_second; /* measured; sizes the draws */
+    Text source_files;      /* what was compiled, for -v */
 } Renderer;
 
 /* The fragment shader that these parameters ask for, as one text: the methods, the scene and what they

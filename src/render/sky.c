@@ -156,7 +156,7 @@ static bool fill(Sky *sky, const SkyState *state, Error *error) {
     if (!resize(sky, state, error)) return false;
     set_all(sky, &sky->fill, state);
     sky->gl->Viewport(0, 0, sky->columns, 2 * sky->rows);
-    program_draw(&sky->fill, sky->columns, 0, 2 * sky->rows);
+    program_draw(&sky->fill, 0, 0, sky->columns, 2 * sky->rows);
     sky->filled_for = *state;
     sky->fills++;
     return gl_check(sky->gl, "filling the sky's table", error);

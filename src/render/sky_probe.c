@@ -57,7 +57,7 @@ static bool ask_some(SkyProbe *probe, const float *directions, size_t count, flo
     gl->Viewport(0, 0, SIDE, SIDE);
     texture_resize(gl, probe->texture[0], SIDE, height, rows);
     program_set_int(&probe->program, "probe_directions", 0);
-    program_draw(&probe->program, SIDE, 0, height);
+    program_draw(&probe->program, 0, 0, SIDE, height);
     gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
     gl->ReadPixels(0, 0, SIDE, height, GL_RGBA, GL_FLOAT, rows);
     memcpy(radiances, rows, count * 4 * sizeof *rows);

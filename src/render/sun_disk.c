@@ -1,20 +1,204 @@
 #include "render/sun_disk.h"
 
+#include "base/text.h"
+#include "render/sky.h"
 #include "render/sky_reference.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
-void sun_disk_radiance(const Atmosphere *atmosphere, const double sun[3], const double direction[3],
+enum { STRIPS = 48, COLUMNS = 512 };
+
+static const double pi = 3.14159265358979323846, degree = 3.14159265358979323846 / 180;
+
+SunDisk sun_disk(const Atmosphere *atmosphere, double elevation_deg, double azimuth_deg, double radius_deg) {
+    double elevation = elevation_deg * degree, azimuth = azimuth_deg * degree;
+    double level[2] = {sin(azimuth), cos(azimuth)}, radius = radius_deg * degree;
+    SunDisk disk = {.middle = {cos(elevation) * level[0], sin(elevation), cos(elevation) * level[1]},
+                    .right = {-level[1], 0, level[0]},
+                    .up = {-sin(elevation) * level[0], cos(elevation), -sin(elevation) * level[1]},
+                    .radius = radius,
+                    .horizon = sky_horizon_sine(atmosphere)};
+    double bottom = fmax(elevation - radius, -pi / 2), highest = fmin(elevation + radius, pi / 2);
+    disk.lowest = fmax(sin(bottom), disk.horizon);
+    disk.top = elevation + radius > pi / 2 ? 1 : sin(highest);
+    if (elevation - radius < -pi / 2) disk.lowest = fmax(-1, disk.horizon);
+    return disk;
+}
+
+bool sun_disk_visible(const SunDisk *disk) {
+    return disk->top > disk->lowest;
+}
+
+static void radiance_toward(const SunDisk *disk, const Atmosphere *atmosphere, const double direction[3],
+                            double radiance[3]) {
+    sky_reference_transmittance(atmosphere, atmosphere->observer_height_m, direction, radiance);
+    for (int c = 0; c < 3; c++)
+        radiance[c] *= atmosphere->sun_irradiance[c] / (pi * sin(disk->radius) * sin(disk->radius));
+}
+
+void sun_disk_radiance(const SunDisk *disk, const Atmosphere *atmosphere, const double direction[3],
                        double radiance[3]) {
-    const double pi = acos(-1.0), radius = SUN_RADIUS_DEG * pi / 180;
-    double squared = 0, transmittance[3];
-    for (int i = 0; i < 3; i++) squared += (sun[i] - direction[i]) * (sun[i] - direction[i]);
-    bool inside =
-        squared < 4 * sin(radius / 2) * sin(radius / 2); /* the chord keeps its digits, a cosine does not */
-    if (inside)
-        sky_reference_transmittance(atmosphere, atmosphere->observer_height_m, direction, transmittance);
-    for (int c = 0; c < 3; c++) {
-        radiance[c] =
-            inside ? atmosphere->sun_irradiance[c] * transmittance[c] / (pi * sin(radius) * sin(radius)) : 0;
+    double squared = 0;
+    for (int i = 0; i < 3; i++)
+        squared += (disk->middle[i] - direction[i]) * (disk->middle[i] - direction[i]);
+    /* The chord keeps its digits, a cosine does not. */
+    bool inside = squared < 4 * sin(disk->radius / 2) * sin(disk->radius / 2);
+    if (inside) radiance_toward(disk, atmosphere, direction, radiance);
+    for (int c = 0; c < 3 && !inside; c++) radiance[c] = 0;
+}
+
+void sun_disk_table(const SunDisk *disk, const Atmosphere *atmosphere, int count, float *rgba) {
+    for (int i = 0; i < count; i++) {
+        /* Off the horizon by a hair: there the planet would be in the way, or not, by rounding. */
+        double y = disk->lowest + (disk->top - disk->lowest) * fmax(i, 1e-4) / (count - 1);
+        double level = sqrt(fmax(1 - y * y, 0)), radiance[3];
+        const double direction[3] = {level, y, 0};
+        radiance_toward(disk, atmosphere, direction, radiance);
+        for (int c = 0; c < 3; c++) rgba[4 * i + c] = (float)radiance[c];
+        rgba[4 * i + 3] = 1;
     }
+}
+
+/* A convex polygon; a square clipped by two lines has at most 6 corners. */
+typedef struct Polygon {
+    double points[8][2];
+    int count;
+} Polygon;
+
+/* The part where line[0] x + line[1] y + line[2] >= 0. */
+static Polygon clip(const Polygon *polygon, const double line[3]) {
+    Polygon clipped = {.count = 0};
+    for (int i = 0; i < polygon->count; i++) {
+        const double *a = polygon->points[i], *b = polygon->points[(i + 1) % polygon->count];
+        double fa = line[0] * a[0] + line[1] * a[1] + line[2], fb = line[0] * b[0] + line[1] * b[1] + line[2];
+        if (fa >= 0) memcpy(clipped.points[clipped.count++], a, sizeof *clipped.points);
+        if ((fa >= 0) != (fb >= 0)) {
+            double *p = clipped.points[clipped.count++];
+            for (int k = 0; k < 2; k++) p[k] = a[k] + (b[k] - a[k]) * fa / (fa - fb);
+        }
+    }
+    return clipped;
+}
+
+/* Signed area of the unit circle's part in the triangle (0, a, b). */
+static double sector_area(const double a[2], const double b[2]) {
+    double d[2] = {b[0] - a[0], b[1] - a[1]}, length2 = d[0] * d[0] + d[1] * d[1];
+    double along = a[0] * d[0] + a[1] * d[1], off = a[0] * a[0] + a[1] * a[1] - 1;
+    double discriminant = along * along - length2 * off;
+    double area = 0, from = 0;
+    if (length2 == 0) return 0;
+    if (discriminant > 0) { /* the edge's part in the circle makes a triangle, the rest sectors */
+        double root = sqrt(discriminant);
+        double t0 = fmin(fmax((-along - root) / length2, 0), 1),
+               t1 = fmin(fmax((-along + root) / length2, 0), 1);
+        double p[2] = {a[0] + t0 * d[0], a[1] + t0 * d[1]}, q[2] = {a[0] + t1 * d[0], a[1] + t1 * d[1]};
+        if (t1 > t0) {
+            area += (p[0] * q[1] - p[1] * q[0]) / 2;
+            area += atan2(a[0] * p[1] - a[1] * p[0], a[0] * p[0] + a[1] * p[1]) / 2;
+            area += atan2(q[0] * b[1] - q[1] * b[0], q[0] * b[0] + q[1] * b[1]) / 2;
+            from = 1;
+        }
+    }
+    if (from == 0) area = atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]) / 2;
+    return area;
+}
+
+/* Area of a polygon's part in the ellipse. */
+static double area_in(const Ellipse *e, const Polygon *polygon) {
+    double w[8][2], area = 0;
+    for (int i = 0; i < polygon->count; i++) {
+        double x = polygon->points[i][0] - e->centre[0], y = polygon->points[i][1] - e->centre[1];
+        for (int k = 0; k < 2; k++) w[i][k] = e->shape[k][0] * x + e->shape[k][1] * y;
+    }
+    for (int i = 0; i < polygon->count; i++) area += sector_area(w[i], w[(i + 1) % polygon->count]);
+    return fabs(area / (e->shape[0][0] * e->shape[1][1] - e->shape[0][1] * e->shape[1][0]));
+}
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* The disk in level strips: the lines up / middle = const that part them, in the picture. */
+typedef struct Strips {
+    double line[STRIPS + 1][3];
+} Strips;
+
+static Strips cut(const SunDisk *disk, const Camera *camera) {
+    Strips strips;
+    double elevation = asin(disk->middle[1]), slope = tan(disk->radius);
+    double from = fmax(tan(fmin(asin(disk->horizon) - elevation, disk->radius)) / slope, -1);
+    for (int k = 0; k <= STRIPS; k++) {
+        double edge = from + (1 - from) * k / STRIPS, plane[3], on_picture[3];
+        for (int i = 0; i < 3; i++) plane[i] = disk->up[i] - edge * slope * disk->middle[i];
+        /* In pixels: the direction of pixel (x, y) is forward + (2 x / width - 1) right + (1 - 2 y / height)
+         * up. */
+        on_picture[0] = 2 * dot(plane, camera->right) / camera->width;
+        on_picture[1] = -2 * dot(plane, camera->up) / camera->height;
+        on_picture[2] = dot(plane, camera->forward) - dot(plane, camera->right) + dot(plane, camera->up);
+        memcpy(strips.line[k], on_picture, sizeof on_picture);
+    }
+    return strips;
+}
+
+/* The disk's radiance at a part's middle, from the table. */
+static void radiance_of(const SunDisk *disk, const Camera *camera, const Polygon *part, const float *table,
+                        double radiance[3]) {
+    double middle[2] = {0}, area = 0, direction[3], length2 = 0;
+    for (int i = 0; i < part->count; i++) {
+        const double *a = part->points[i], *b = part->points[(i + 1) % part->count];
+        double o[2] = {part->points[0][0], part->points[0][1]};
+        double twice = (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+        for (int k = 0; k < 2; k++) middle[k] += twice * (a[k] + b[k] + o[k]) / 3;
+        area += twice;
+    }
+    for (int k = 0; k < 2; k++) middle[k] = area != 0 ? middle[k] / area : part->points[0][k];
+    for (int i = 0; i < 3; i++) {
+        direction[i] = camera->forward[i] + (2 * middle[0] / camera->width - 1) * camera->right[i] +
+                       (1 - 2 * middle[1] / camera->height) * camera->up[i];
+        length2 += direction[i] * direction[i];
+    }
+    double at = (direction[1] / sqrt(length2) - disk->lowest) / (disk->top - disk->lowest) * (COLUMNS - 1);
+    double clamped = fmin(fmax(at, 0), COLUMNS - 1.001);
+    const float *entry = table + 4 * (int)clamped;
+    for (int c = 0; c < 3; c++)
+        radiance[c] = (double)entry[c] + (clamped - floor(clamped)) * (double)(entry[4 + c] - entry[c]);
+}
+
+static void cover_pixel(const SunDisk *disk, const Camera *camera, const Strips *strips,
+                        const Ellipse *ellipse, const float *table, int x, int y, float rgba[4]) {
+    const Polygon pixel = {{{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}, 4};
+    double sum[3] = {0};
+    for (int k = 0; k < STRIPS; k++) {
+        const double *bottom = strips->line[k], *top = strips->line[k + 1];
+        const double below_top[3] = {-top[0], -top[1], -top[2]};
+        Polygon above = clip(&pixel, bottom);
+        if (!above.count) break; /* and so is the pixel below all strips that follow */
+        Polygon part = clip(&above, below_top);
+        double area = part.count > 2 ? area_in(ellipse, &part) : 0;
+        if (area <= 0) continue;
+        double radiance[3];
+        radiance_of(disk, camera, &part, table, radiance);
+        for (int c = 0; c < 3; c++) sum[c] += area * radiance[c];
+    }
+    for (int c = 0; c < 3; c++) rgba[c] = (float)sum[c];
+    rgba[3] = 1;
+}
+
+bool sun_disk_cover(const SunDisk *disk, const Atmosphere *atmosphere, const Camera *camera,
+                    Rectangle rectangle, float *rgba) {
+    Ellipse ellipse;
+    if (!camera_cone(camera, disk->middle, disk->radius, &ellipse)) return false;
+    const Strips strips = cut(disk, camera);
+    float *table = memory_get(4 * COLUMNS, sizeof *table);
+    sun_disk_table(disk, atmosphere, COLUMNS, table);
+    for (int y = 0; y < rectangle.height; y++) {
+        for (int x = 0; x < rectangle.width; x++) {
+            cover_pixel(disk, camera, &strips, &ellipse, table, rectangle.x + x, rectangle.y + y,
+                        rgba + 4 * ((size_t)y * (size_t)rectangle.width + (size_t)x));
+        }
+    }
+    free(table);
+    return true;
 }

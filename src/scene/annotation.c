@@ -112,8 +112,17 @@ static bool read_camera(Line *line, Error *error) {
 
 static bool read_sun(Line *line, Error *error) {
     const Key table[] = {{"elevation", 1, -90, 90, &line->scene->sun_elevation_deg},
-                         {"azimuth", 1, -360, 360, &line->scene->sun_azimuth_deg}};
-    return keys(line, 1, table, 2, error);
+                         {"azimuth", 1, -360, 360, &line->scene->sun_azimuth_deg},
+                         {"radius", 1, 0.01, 30, &line->scene->sun_radius_deg}};
+    return keys(line, 1, table, 3, error);
+}
+
+static bool read_sun_disk(Line *line, Error *error) {
+    bool on = line->count == 2 && strcmp(line->words[1], "on") == 0;
+    if (!on && (line->count != 2 || strcmp(line->words[1], "off") != 0))
+        return error_set(error, STATUS_SCENE, "sun-disk needs on or off");
+    line->scene->sun_disk = on;
+    return true;
 }
 
 static bool read_exposure(Line *line, Error *error) {
@@ -170,18 +179,26 @@ static bool read_preset(Line *line, Error *error) {
     return true;
 }
 
-static bool read_bound(Line *line, Error *error) {
-    Scene *scene = line->scene;
-    enum { MOST = sizeof scene->bounds / sizeof *scene->bounds };
+static bool read_sphere(Line *line, NamedSphere *spheres, int *count, Error *error) {
+    const char *key = line->words[0];
     if (line->count != 5)
-        return error_set(error, STATUS_SCENE, "bound needs x y z radius, numbers or parameters");
-    if (scene->bound_count == MOST) return error_set(error, STATUS_SCENE, "more than %d bounds", MOST);
-    Bound *bound = &scene->bounds[scene->bound_count++];
-    bound->line = line->number;
+        return error_set(error, STATUS_SCENE, "%s needs x y z radius, numbers or sliders", key);
+    if (*count == MOST_NAMED_SPHERES)
+        return error_set(error, STATUS_SCENE, "%s more than %d times", key, MOST_NAMED_SPHERES);
+    NamedSphere *sphere = &spheres[(*count)++];
+    sphere->line = line->number;
     for (int i = 0; i < 4; i++) {
-        if (!copy_word(bound->words[i], sizeof bound->words[i], line->words[1 + i], error)) return false;
+        if (!copy_word(sphere->words[i], sizeof sphere->words[i], line->words[1 + i], error)) return false;
     }
     return true;
+}
+
+static bool read_bound(Line *line, Error *error) {
+    return read_sphere(line, line->scene->bounds, &line->scene->bound_count, error);
+}
+
+static bool read_mirror_sphere(Line *line, Error *error) {
+    return read_sphere(line, line->scene->mirrors, &line->scene->mirror_count, error);
 }
 
 /* The parameter declared on the annotation's own line as `uniform TYPE NAME;`. */
@@ -272,12 +289,13 @@ static const struct {
     const char *key;
     bool (*read)(Line *line, Error *error);
 } annotations[] = {
-    {"title", read_title},   {"look", read_look},
-    {"camera", read_camera}, {"sun", read_sun},
-    {"size", read_size},     {"exposure", read_exposure},
-    {"sky", read_sky},       {"atmosphere", read_atmosphere},
-    {"preset", read_preset}, {"bound", read_bound},
-    {"slider", read_slider}, {"checkbox", read_checkbox},
+    {"title", read_title},       {"look", read_look},
+    {"camera", read_camera},     {"sun", read_sun},
+    {"size", read_size},         {"exposure", read_exposure},
+    {"sky", read_sky},           {"atmosphere", read_atmosphere},
+    {"preset", read_preset},     {"bound", read_bound},
+    {"sun-disk", read_sun_disk}, {"mirror-sphere", read_mirror_sphere},
+    {"slider", read_slider},     {"checkbox", read_checkbox},
     {"color", read_color},
 };
 enum { ANNOTATIONS = sizeof annotations / sizeof *annotations };
@@ -326,15 +344,16 @@ static bool is_slider(const Scene *scene, const char *name) {
     return false;
 }
 
-/* A bound may name parameters declared below it too. */
-static bool check_bounds(const Scene *scene, Error *error) {
-    for (int i = 0; i < scene->bound_count * 4; i++) {
-        const Bound *bound = &scene->bounds[i / 4];
-        const char *word = bound->words[i % 4];
+/* A sphere may be named by sliders declared below it too. */
+static bool check_spheres(const Scene *scene, const char *key, const NamedSphere *spheres, int count,
+                          Error *error) {
+    for (int i = 0; i < count * 4; i++) {
+        const NamedSphere *sphere = &spheres[i / 4];
+        const char *word = sphere->words[i % 4];
         double number;
         if (is_slider(scene, word) || (number_parse(word, &number) && (i % 4 < 3 || number > 0))) continue;
-        return error_set(error, STATUS_SCENE, "%s:%d: bound: '%s' is neither a %s nor a slider's name",
-                         scene->path, bound->line, word, i % 4 < 3 ? "number" : "number above 0");
+        return error_set(error, STATUS_SCENE, "%s:%d: %s: '%s' is neither a %s nor a slider's name",
+                         scene->path, sphere->line, key, word, i % 4 < 3 ? "number" : "number above 0");
     }
     return true;
 }
@@ -360,5 +379,7 @@ bool annotation_read(Scene *scene, Error *error) {
         line = last ? end : end + 1;
     }
     text_free(&file);
-    return ok && check_bounds(scene, error) && try_presets(scene, error);
+    return ok && check_spheres(scene, "bound", scene->bounds, scene->bound_count, error) &&
+           check_spheres(scene, "mirror-sphere", scene->mirrors, scene->mirror_count, error) &&
+           try_presets(scene, error);
 }

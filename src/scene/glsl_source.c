@@ -71,23 +71,28 @@ static void number_material(GlslSource *source, const char *name) {
     text_print(&source->text, " = %d;\n", number);
 }
 
-static void generate_materials(GlslSource *source) {
+/* One function for all materials: a call of the right one by the material's kind. */
+static void generate_dispatch(GlslSource *source, const char *type, const char *verb, const char *parameters,
+                              const char *arguments, const char *nothing) {
     Text *text = &source->text;
-    int number = list_add(&source->files, &source->file_count, "<materials>");
-    text_print(text, "#line 1 %d\n", number);
-    text_print(text,
-               "Bounce material_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {\n");
-    for (int i = 0; i + 1 < source->material_count; i++) {
-        text_print(text, "    if (material.kind == %d) return %s_sample(material, normal, incoming, u, v);\n",
-                   i, source->materials[i]);
+    text_print(text, "%s material_%s(Material material, vec3 normal, vec3 incoming, %s) {\n", type, verb,
+               parameters);
+    for (int i = 0; i < source->material_count; i++) {
+        if (i + 1 < source->material_count) text_print(text, "    if (material.kind == %d)", i);
+        text_print(text, "    return %s_%s(material, normal, incoming, %s);\n", source->materials[i], verb,
+                   arguments);
     }
-    if (source->material_count) {
-        text_print(text, "    return %s_sample(material, normal, incoming, u, v);\n",
-                   source->materials[source->material_count - 1]);
-    } else {
-        text_print(text, "    return Bounce(normal, vec3(0.0), false);\n");
-    }
+    if (!source->material_count) text_print(text, "    return %s;\n", nothing);
     text_print(text, "}\n");
+}
+
+static void generate_materials(GlslSource *source) {
+    int number = list_add(&source->files, &source->file_count, "<materials>");
+    text_print(&source->text, "#line 1 %d\n", number);
+    generate_dispatch(source, "Bounce", "sample", "vec2 u, vec2 v", "u, v",
+                      "Bounce(normal, vec3(0.0), 0.0, false)");
+    generate_dispatch(source, "float", "pdf", "vec3 outgoing", "outgoing", "0.0");
+    generate_dispatch(source, "vec3", "value", "vec3 outgoing", "outgoing", "vec3(0.0)");
 }
 
 static bool include_slot(Flattener *flattener, const char *name, size_t length, const char *path, int line,

@@ -22,6 +22,7 @@ static const struct {
 } common_settings[] = {
     {"sun.elevation", offsetof(Scene, sun_elevation_deg), 1, -90, 90},
     {"sun.azimuth", offsetof(Scene, sun_azimuth_deg), 1, -360, 360},
+    {"sun.radius", offsetof(Scene, sun_radius_deg), 1, 0.01, 30},
     {"exposure", offsetof(Scene, exposure_ev), 1, -64, 64},
     {"camera.eye", offsetof(Scene, eye), 3, -1e6, 1e6},
     {"camera.target", offsetof(Scene, target), 3, -1e6, 1e6},
@@ -45,6 +46,7 @@ Scene scene_default(const char *path) {
                    .eye = {0, 2, -4},
                    .fov_deg = 90,
                    .sun_elevation_deg = 30,
+                   .sun_radius_deg = 0.2666,
                    .width = 512,
                    .height = 512,
                    .atmosphere = atmosphere_preset(0)->atmosphere};
@@ -118,6 +120,16 @@ bool scene_choose_preset(Scene *scene, const char *name, Error *error) {
               known.size ? text_string(&known) : "none");
     text_free(&known);
     return false;
+}
+
+void scene_sphere(const Scene *scene, const NamedSphere *sphere, double out[4]) {
+    for (int i = 0; i < 4; i++) {
+        if (number_parse(sphere->words[i], &out[i])) continue;
+        for (int k = 0; k < scene->parameter_count; k++) {
+            if (strcmp(scene->parameters[k].name, sphere->words[i]) == 0)
+                out[i] = scene->parameters[k].value[0];
+        }
+    }
 }
 
 bool scene_check(const Scene *scene, Error *error) {

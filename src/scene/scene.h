@@ -27,17 +27,20 @@ typedef struct Preset {
     int line;
 } Preset;
 
-/* A sphere around something that may block the sky: x, y, z, radius, each a number or a parameter's name. */
-typedef struct Bound {
+/* A sphere that the scene names: x, y, z, radius, each a number or a slider's name. */
+typedef struct NamedSphere {
     char words[4][64];
     int line;
-} Bound;
+} NamedSphere;
+
+enum { MOST_NAMED_SPHERES = 16 };
 
 typedef struct Scene {
     char *path; /* owned */
     char title[128], look[256];
     double eye[3], target[3], fov_deg; /* vertical angle */
-    double sun_elevation_deg, sun_azimuth_deg;
+    double sun_elevation_deg, sun_azimuth_deg, sun_radius_deg;
+    bool sun_disk; /* whether the sun is there itself, beside the sky that it lights */
     double exposure_ev;
     int width, height;
     char sky[64]; /* the sky method that the scene asks for; empty if it asks for none */
@@ -47,8 +50,10 @@ typedef struct Scene {
     int parameter_count;
     Preset presets[32];
     int preset_count;
-    Bound bounds[16];
+    NamedSphere bounds[MOST_NAMED_SPHERES]; /* around what may block the sky */
     int bound_count;
+    NamedSphere mirrors[MOST_NAMED_SPHERES]; /* mirrors in the shape of a sphere */
+    int mirror_count;
 } Scene;
 
 /* Pictures' limits, as a sentence for errors and the check itself (STATUS_USAGE). */
@@ -66,6 +71,9 @@ void scene_destroy(Scene *scene);
  * is known. */
 MUST_CHECK bool scene_set(Scene *scene, const char *name, const char *value, Error *error);
 MUST_CHECK bool scene_choose_preset(Scene *scene, const char *name, Error *error);
+
+/* A named sphere's numbers, with the sliders as they are: x, y, z, radius. */
+void scene_sphere(const Scene *scene, const NamedSphere *sphere, double out[4]);
 
 /* What no single value shows: a camera that looks somewhere, an atmosphere above its planet (STATUS_USAGE).
  */

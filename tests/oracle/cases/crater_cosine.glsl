@@ -1,6 +1,7 @@
 // Lambert's surfaces under the paper's sky.
 #include "../inputs.glsl"
 #include "sequence/sobol.glsl"
+#include "sun/off.glsl"
 #include "light/cosine.glsl"
 #include "../paper_sky.glsl"
 #include "../crater.glsl"

@@ -1,6 +1,7 @@
 // The author's bounce under the paper's sky.
 #include "../inputs.glsl"
 #include "sequence/random.glsl"
+#include "sun/off.glsl"
 #include "light/paper.glsl"
 #include "../paper_sky.glsl"
 #include "../crater.glsl"

@@ -1,6 +1,7 @@
 // Paths alone: the sky is 1 everywhere.
 #include "../inputs.glsl"
 #include "sequence/random.glsl"
+#include "sun/off.glsl"
 #include "light/cosine.glsl"
 #include "pass/sky_uniform.glsl"
 #include "../crater.glsl"

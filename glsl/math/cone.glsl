@@ -22,8 +22,11 @@ vec3 cone_sample(Cone cone, vec2 u) {
     return normalize(in_frame(cone.axis, sine * cos(phi), sine * sin(phi), 1.0 - less));
 }
 
-float cone_pdf(Cone cone, vec3 direction) {
+bool cone_holds(Cone cone, vec3 direction) {
     vec3 off = direction - cone.axis;
-    bool inside = 0.5 * dot(off, off) < cone.one_less_cos; // 1 - cos, by the chord
-    return inside ? 1.0 / (2.0 * PI * cone.one_less_cos) : 0.0;
+    return 0.5 * dot(off, off) < cone.one_less_cos; // 1 - cos, by the chord, which keeps its digits
+}
+
+float cone_pdf(Cone cone, vec3 direction) {
+    return cone_holds(cone, direction) ? 1.0 / (2.0 * PI * cone.one_less_cos) : 0.0;
 }

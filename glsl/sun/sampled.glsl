@@ -1,0 +1,29 @@
+// --sun sampled: every hit looks for the disk itself, straight and by way of the mirror spheres that the scene names. What those
+// cannot find, chains of mirrors and mirrors of other shapes, is left to chance.
+#include "light/surface.glsl"
+#include "pass/sun_disk.glsl"
+#include "sun/ask.glsl"
+#include <mirrors>
+
+vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
+    vec2 u = sequence_pair(sequence);
+    vec3 toward = sun_point(u);
+    vec3 irradiance = sun_solid_angle() * sun_radiance(toward);
+    vec3 value = material_value(material, hit.normal, incoming, toward);
+    vec3 reflected = vec3(0.0);
+    if (max(value.x, max(value.y, value.z)) > 0.0) {
+        bool blocked = surface_hit(ray_from(hit, toward)).t < INFINITY;
+        reflected = blocked ? vec3(0.0) : value * irradiance;
+    }
+    if (mirrors > 0) reflected += mirrors_reflect(hit, material, incoming, toward, irradiance, sequence);
+    return reflected;
+}
+
+int sun_after_bounce(int state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
+    if (bounce.pdf > 0.0) return SUN_SOUGHT;
+    return state == SUN_SOUGHT && mirrors_know(hit, material, incoming) ? SUN_REFLECTED : SUN_CHANCE;
+}
+
+vec3 sun_escaped(int state, vec3 direction) {
+    return state == SUN_CHANCE ? sun_radiance(direction) : vec3(0.0);
+}

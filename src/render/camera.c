@@ -1,0 +1,96 @@
+#include "render/camera.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double degree = 3.14159265358979323846 / 180;
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3]) {
+    for (int i = 0; i < 3; i++) out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+static void scale_to(double v[3], double length) {
+    double factor = length / sqrt(dot(v, v));
+    for (int i = 0; i < 3; i++) v[i] *= factor;
+}
+
+Camera camera_of(const Scene *scene, int width, int height) {
+    Camera camera = {.width = width, .height = height};
+    double world_up[3] = {0, 1, 0};
+    double half_height = tan(scene->fov_deg * degree / 2);
+    memcpy(camera.eye, scene->eye, sizeof camera.eye);
+    for (int i = 0; i < 3; i++) camera.forward[i] = scene->target[i] - scene->eye[i];
+    scale_to(camera.forward, 1);
+    if (fabs(camera.forward[1]) > 1 - 1e-12) { /* straight up or down: the picture's top is +z */
+        world_up[1] = 0;
+        world_up[2] = 1;
+    }
+    cross(camera.forward, world_up, camera.right);
+    scale_to(camera.right, half_height * width / height);
+    cross(camera.right, camera.forward, camera.up);
+    scale_to(camera.up, half_height);
+    return camera;
+}
+
+void camera_set(const Camera *camera, const Program *program) {
+    double size[3] = {camera->width, camera->height, 0};
+    program_set_vec3(program, "camera_eye", camera->eye);
+    program_set_vec3(program, "camera_forward", camera->forward);
+    program_set_vec3(program, "camera_right", camera->right);
+    program_set_vec3(program, "camera_up", camera->up);
+    program_set_vec3(program, "picture_size", size);
+}
+
+bool camera_project(const Camera *camera, const double direction[3], double out[2]) {
+    double ahead = dot(direction, camera->forward);
+    if (ahead <= 0) return false;
+    double x = dot(direction, camera->right) / dot(camera->right, camera->right) / ahead;
+    double y = dot(direction, camera->up) / dot(camera->up, camera->up) / ahead;
+    out[0] = (1 + x) / 2 * camera->width;
+    out[1] = (1 - y) / 2 * camera->height;
+    return true;
+}
+
+/* On the plane at distance 1 ahead the cone is q(x, y) = (s . (x, y, 1))^2 - cos^2 (x^2 + y^2 + 1) >= 0, with s its
+ * axis in the camera's frame: an ellipse where the cone stays ahead. */
+bool camera_cone(const Camera *camera, const double axis[3], double half_angle, Ellipse *ellipse) {
+    double width = sqrt(dot(camera->right, camera->right)), height = sqrt(dot(camera->up, camera->up));
+    double s[3] = {dot(axis, camera->right) / width, dot(axis, camera->up) / height, dot(axis, camera->forward)};
+    double cos2 = cos(half_angle) * cos(half_angle), sine = sin(half_angle);
+    if (half_angle >= 90 * degree || s[2] <= sine * (1 + 1e-9)) return false;
+    double a = cos2 - s[0] * s[0], b = -s[0] * s[1], c = cos2 - s[1] * s[1], determinant = a * c - b * b;
+    double x = (c * s[0] - b * s[1]) * s[2] / determinant, y = (a * s[1] - b * s[0]) * s[2] / determinant;
+    double ahead = s[0] * x + s[1] * y + s[2], top = ahead * ahead - cos2 * (x * x + y * y + 1);
+    if (!(determinant > 0) || !(top > 0)) return false;
+    /* Cholesky's factor of the form over its value at the centre, transposed; then from the plane to pixels, whose y
+       points down. */
+    double l00 = sqrt(a / top), l10 = b / top / l00, l11 = sqrt(fmax(c / top - l10 * l10, 0));
+    double pixels_x = camera->width / (2 * width), pixels_y = camera->height / (2 * height);
+    *ellipse = (Ellipse){{camera->width / 2.0 + x * pixels_x, camera->height / 2.0 - y * pixels_y},
+                         {{l00 / pixels_x, -l10 / pixels_y}, {0, -l11 / pixels_y}}};
+    return true;
+}
+
+static Rectangle clip(const Camera *camera, double left, double top, double right, double bottom) {
+    double x0 = fmax(floor(left), 0), x1 = fmin(ceil(right), camera->width);
+    double y0 = fmax(floor(top), 0), y1 = fmin(ceil(bottom), camera->height);
+    if (!(x0 < x1 && y0 < y1)) return (Rectangle){0};
+    return (Rectangle){(int)x0, (int)y0, (int)(x1 - x0), (int)(y1 - y0)};
+}
+
+Rectangle camera_cone_rectangle(const Camera *camera, const double axis[3], double half_angle) {
+    Ellipse e;
+    if (!camera_cone(camera, axis, half_angle, &e)) {
+        bool behind = dot(axis, camera->forward) <= -sin(half_angle);
+        return behind ? (Rectangle){0} : (Rectangle){0, 0, camera->width, camera->height};
+    }
+    /* The ellipse is centre + inverse(shape) of the unit circle; its box is as wide as the inverse's rows are long. */
+    double i11 = 1 / e.shape[1][1], i00 = 1 / e.shape[0][0], i01 = -e.shape[0][1] * i00 * i11;
+    double half_width = hypot(i00, i01), half_height = fabs(i11);
+    return clip(camera, e.centre[0] - half_width, e.centre[1] - half_height, e.centre[0] + half_width,
+                e.centre[1] + half_height);
+}

@@ -1,0 +1,31 @@
+/* The sun's disk in a picture: what its GLSL (glsl/sun/) is told, and where in the picture its own image may be. */
+#pragma once
+
+#include "render/camera.h"
+#include "render/method.h"
+#include "render/sky.h"
+
+enum { SUN_SLOTS = 5, MOST_SUN_RECTANGLES = 1 + MOST_NAMED_SPHERES };
+
+typedef struct Sun {
+    const GlApi *gl;
+    GLuint table, cover; /* textures; 0 where the disk is off */
+    Rectangle covered;   /* the pixels of `cover`; empty where the unblocked disk is not known exactly */
+    Rectangle rectangles[MOST_SUN_RECTANGLES]; /* that hold the disk's image; they may overlap */
+    int rectangle_count;
+} Sun;
+
+/* The method that `text` names, NULL for what the scene says; "off" where the disk has set. */
+MUST_CHECK bool sun_choose(MethodChoice *choice, const char *text, const Scene *scene, Error *error);
+
+/* Fills slots[0 .. SUN_SLOTS): <sun>, <sun-image>, <mirrors>, <mirrors-image>, <mirror-spheres>. `image`: for the
+ * program that draws the disk's image; `spheres` is GLSL that they refer to. */
+void sun_slots(const MethodChoice *choice, const Scene *scene, bool image, const char *spheres, GlslSlot *slots);
+
+/* The disk as the scene has it: makes its textures and finds the rectangles. */
+MUST_CHECK bool sun_create(Sun *sun, const Context *context, const MethodChoice *choice, const Scene *scene,
+                           const Camera *camera, Error *error);
+void sun_destroy(Sun *sun);
+
+/* Tells `program`, which is in use. */
+void sun_use(const Sun *sun, const Program *program, const Scene *scene, const Camera *camera);
