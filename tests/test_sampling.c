@@ -243,7 +243,7 @@ static void test_cones(void **state) {
         double d = distances[k], one_less_cos = 1 - sqrt(1 - 1 / (d * d)), inside = 0;
         if (d > 100) one_less_cos = 0.5 / (d * d);
         snprintf(glsl, sizeof glsl,
-                 "#include \"light/cone.glsl\"\n#include \"math/hash.glsl\"\n"
+                 "#include \"math/cone.glsl\"\n#include \"math/hash.glsl\"\n"
                  "vec4 evaluate(vec2 t) {\n"
                  "    vec3 axis = normalize(vec3(0.3, -0.8, 0.5)), from = vec3(1, 2, 3);\n"
                  "    uvec3 h = hash_3(uvec3(uvec2(t), 7u));\n"

@@ -17,16 +17,30 @@ vec3 sky_irradiance_over_pi(vec3 normal);
 
 const float BLOCKER_SHARE = 0.5; // of the bounces from level ground
 
-// Draws a bounce from Lambert's ground anew: by the cosine, or toward one of the bounds. Its weight is cos / pi over the density of
-// the two together; 0 for a direction into the ground.
-Bounce blocker_bounce(Bounce bounce, vec3 position, vec3 normal, vec2 u, float choice) {
+// The numbers for a bounce toward one of the bounds: which one, and where in its cone.
+struct BlockerChoice {
+    int bound; // -1 for none of them
+    vec2 u;
+};
+
+// u.x chooses, and stretched serves again: numbers that are spread evenly stay so in each of the parts.
+BlockerChoice blocker_choice(vec2 u) {
+    float part = u.x / BLOCKER_SHARE * float(SCENE_BOUNDS);
+    float bound = floor(part);
+    bool none = SCENE_BOUNDS == 0 || u.x >= BLOCKER_SHARE;
+    float cosine_share = SCENE_BOUNDS == 0 ? 1.0 : 1.0 - BLOCKER_SHARE;
+    return none ? BlockerChoice(-1, vec2(1.0 - (1.0 - u.x) / cosine_share, u.y)) : BlockerChoice(int(bound), vec2(part - bound, u.y));
+}
+
+// A bounce from Lambert's ground, drawn by the cosine, or anew toward the chosen bound. Its weight is cos / pi over the density of the
+// two together; 0 for a direction into the ground.
+Bounce blocker_bounce(Bounce bounce, vec3 position, vec3 normal, BlockerChoice choice) {
     float density = 0.0; // of the bounds' part
     float seen = 0.0;
-    float wanted = choice / BLOCKER_SHARE * float(SCENE_BOUNDS);
     for (int i = 0; i < SCENE_BOUNDS; i++) {
         vec4 bound = scene_bound(i);
         Cone cone = cone_toward(position, vec3(bound), bound.w);
-        if (int(wanted) == i && cone.one_less_cos > 0.0) bounce.direction = cone_sample(cone, u);
+        if (choice.bound == i && cone.one_less_cos > 0.0) bounce.direction = cone_sample(cone, choice.u);
     }
     for (int i = 0; i < SCENE_BOUNDS; i++) {
         vec4 bound = scene_bound(i);
@@ -62,15 +76,17 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             vec2 u = sequence_pair(sequence);
             vec2 v = sequence_pair(sequence);
             Material material = scene_material(hit);
-            Bounce bounce = material_sample(material, hit.normal, ray.direction, u, v);
+            bool level = hit.normal.y >= LEVEL_GROUND && !controlled;
+            BlockerChoice choice = blocker_choice(u);
+            Bounce bounce = material_sample(material, hit.normal, ray.direction, level ? choice.u : u, v);
             hits += 1;
             gathered += throughput * sun_reflected(hit, material, ray.direction, max_hits - hits, sequence);
             sun = sun_after_bounce(sun, hit, material, ray.direction, bounce);
-            if (bounce.lambert && hit.normal.y >= LEVEL_GROUND && !controlled) {
+            if (bounce.lambert && level) {
                 controlled = true;
                 control_hits = hits;
                 known = throughput * bounce.weight * sky_irradiance_over_pi(hit.normal);
-                bounce = blocker_bounce(bounce, hit.position, hit.normal, u, v.x);
+                bounce = blocker_bounce(bounce, hit.position, hit.normal, choice);
                 control_direction = bounce.direction;
             }
             throughput *= bounce.weight;

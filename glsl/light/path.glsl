@@ -6,6 +6,8 @@
 
 // Radiance that comes back along `ray`, with at most `max_hits` surface hits. The sky is asked once, after the loop,
 // where all of a picture's neighbours ask together.
+Bounce path_bounce(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
+
 vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     vec3 throughput = vec3(1.0);
     vec3 gathered = vec3(0.0); // at the hits so far
@@ -21,7 +23,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             vec2 u = sequence_pair(sequence);
             vec2 v = sequence_pair(sequence);
             Material material = scene_material(hit);
-            Bounce bounce = material_sample(material, hit.normal, ray.direction, u, v);
+            Bounce bounce = path_bounce(material, hit.normal, ray.direction, u, v);
             hits += 1;
             gathered += throughput * sun_reflected(hit, material, ray.direction, max_hits - hits, sequence);
             sun = sun_after_bounce(sun, hit, material, ray.direction, bounce);

@@ -55,19 +55,20 @@ bool camera_project(const Camera *camera, const double direction[3], double out[
     return true;
 }
 
-/* On the plane at distance 1 ahead the cone is q(x, y) = (s . (x, y, 1))^2 - cos^2 (x^2 + y^2 + 1) >= 0, with s its
- * axis in the camera's frame: an ellipse where the cone stays ahead. */
+/* On the plane at distance 1 ahead the cone is q(x, y) = (s . (x, y, 1))^2 - cos^2 (x^2 + y^2 + 1) >= 0, with
+ * s its axis in the camera's frame: an ellipse where the cone stays ahead. */
 bool camera_cone(const Camera *camera, const double axis[3], double half_angle, Ellipse *ellipse) {
     double width = sqrt(dot(camera->right, camera->right)), height = sqrt(dot(camera->up, camera->up));
-    double s[3] = {dot(axis, camera->right) / width, dot(axis, camera->up) / height, dot(axis, camera->forward)};
+    double s[3] = {dot(axis, camera->right) / width, dot(axis, camera->up) / height,
+                   dot(axis, camera->forward)};
     double cos2 = cos(half_angle) * cos(half_angle), sine = sin(half_angle);
     if (half_angle >= 90 * degree || s[2] <= sine * (1 + 1e-9)) return false;
     double a = cos2 - s[0] * s[0], b = -s[0] * s[1], c = cos2 - s[1] * s[1], determinant = a * c - b * b;
     double x = (c * s[0] - b * s[1]) * s[2] / determinant, y = (a * s[1] - b * s[0]) * s[2] / determinant;
     double ahead = s[0] * x + s[1] * y + s[2], top = ahead * ahead - cos2 * (x * x + y * y + 1);
     if (!(determinant > 0) || !(top > 0)) return false;
-    /* Cholesky's factor of the form over its value at the centre, transposed; then from the plane to pixels, whose y
-       points down. */
+    /* Cholesky's factor of the form over its value at the centre, transposed; then from the plane to pixels,
+       whose y points down. */
     double l00 = sqrt(a / top), l10 = b / top / l00, l11 = sqrt(fmax(c / top - l10 * l10, 0));
     double pixels_x = camera->width / (2 * width), pixels_y = camera->height / (2 * height);
     *ellipse = (Ellipse){{camera->width / 2.0 + x * pixels_x, camera->height / 2.0 - y * pixels_y},
@@ -88,7 +89,8 @@ Rectangle camera_cone_rectangle(const Camera *camera, const double axis[3], doub
         bool behind = dot(axis, camera->forward) <= -sin(half_angle);
         return behind ? (Rectangle){0} : (Rectangle){0, 0, camera->width, camera->height};
     }
-    /* The ellipse is centre + inverse(shape) of the unit circle; its box is as wide as the inverse's rows are long. */
+    /* The ellipse is centre + inverse(shape) of the unit circle; its box is as wide as the inverse's rows are
+     * long. */
     double i11 = 1 / e.shape[1][1], i00 = 1 / e.shape[0][0], i01 = -e.shape[0][1] * i00 * i11;
     double half_width = hypot(i00, i01), half_height = fabs(i11);
     return clip(camera, e.centre[0] - half_width, e.centre[1] - half_height, e.centre[0] + half_width,

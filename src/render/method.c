@@ -31,6 +31,8 @@ static const Method methods[] = {
      "Lambert's surfaces, bounces by the cosine, no light sampling"},
     {METHOD_LIGHT, "control", "pass/light_control.glsl", false,
      "cosine, on level ground with the open sky as control variate and bounces toward the scene's bounds"},
+    {METHOD_LIGHT, "mis", "pass/light_mis.glsl", false,
+     "bounces by the material or toward the bright sky, by multiple importance sampling"},
     {METHOD_LIGHT, "paper", "light/paper.glsl", false,
      "the author's bounce, lobe 2 cos^3 / pi: a picture of its own"},
     {METHOD_SEQUENCE, "additive", "sequence/additive.glsl", false,

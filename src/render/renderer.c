@@ -24,6 +24,10 @@ static bool uses_control(const Methods *methods) {
     return strcmp(methods->light.method->name, "control") == 0;
 }
 
+static bool uses_sky_sampler(const Methods *methods) {
+    return strcmp(methods->light.method->name, "mis") == 0;
+}
+
 /* Loop iterations of one sample: itself, its hits with the bounds and mirror spheres at each, and the sky. */
 static long sample_iterations(const Methods *methods, const Scene *scene, int max_hits) {
     bool control = uses_control(methods), sun = strcmp(methods->sun.method->name, "sampled") == 0;
@@ -168,16 +172,31 @@ static void set_parameters(const Program *program, const Scene *scene) {
 /* Tells one of the programs all that stays as it is. */
 static bool set_up(Renderer *renderer, const Program *program, const Scene *scene, const SkyState *state,
                    Error *error) {
+    Sky *sky = &renderer->sky;
+    SkyPatches *patches = &renderer->patches;
     if (renderer->irradiance.gl &&
-        !irradiance_use(&renderer->irradiance, &renderer->sky, program, state, error))
+        !irradiance_use(&renderer->irradiance, patches, sky, program, state, error))
         return false;
-    if (!sky_use(&renderer->sky, program, state, error)) return false;
+    if (renderer->sampler.gl && !sky_sampler_use(&renderer->sampler, patches, sky, program, state, error))
+        return false;
+    if (!sky_use(sky, program, state, error)) return false;
     sun_use(&renderer->sun, program, scene, &renderer->camera);
     camera_set(&renderer->camera, program);
     set_parameters(program, scene);
     program_set_uint(program, "seed", renderer->seed);
     program_set_int(program, "max_hits", renderer->max_hits);
     return gl_check(renderer->gl, "setting up the pass", error);
+}
+
+/* What the light method looks up. */
+static bool create_light(Renderer *renderer, const Context *context, const RenderParams *params,
+                         const Methods *methods, Error *error) {
+    bool irradiance = uses_control(methods), sampler = uses_sky_sampler(methods);
+    if (!irradiance && !sampler) return true;
+    return sky_patches_create(&renderer->patches, context, params->library, &methods->sky,
+                              &params->scene->atmosphere, error) &&
+           (!irradiance || irradiance_create(&renderer->irradiance, context, params->library, error)) &&
+           (!sampler || sky_sampler_create(&renderer->sampler, context, error));
 }
 
 static bool create_parts(Renderer *renderer, const Context *context, const RenderParams *params,
@@ -195,8 +214,7 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
         !create_program(&renderer->image_program, context, methods, params, true, NULL, error)) {
         return false;
     }
-    return !uses_control(methods) || irradiance_create(&renderer->irradiance, context, params->library,
-                                                       &methods->sky, &scene->atmosphere, error);
+    return create_light(renderer, context, params, methods, error);
 }
 
 bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
@@ -230,6 +248,8 @@ fail:
 
 void renderer_destroy(Renderer *renderer) {
     irradiance_destroy(&renderer->irradiance);
+    sky_sampler_destroy(&renderer->sampler);
+    sky_patches_destroy(&renderer->patches);
     sun_destroy(&renderer->sun);
     sky_destroy(&renderer->sky);
     film_destroy(&renderer->film);

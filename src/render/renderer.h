@@ -8,6 +8,7 @@
 #include "gl/film.h"
 #include "render/camera.h"
 #include "render/irradiance.h"
+#include "render/sky_sampler.h"
 #include "render/sun.h"
 
 typedef struct RenderParams {
@@ -30,7 +31,9 @@ typedef struct Renderer {
     Camera camera;
     Sky sky;
     Sun sun;
-    Irradiance irradiance; /* empty unless the light method asks for it */
+    SkyPatches patches; /* these are empty unless the light method asks for them */
+    Irradiance irradiance;
+    SkySampler sampler;
     MethodChoice light, sequence, sun_disk;
     int max_hits;
     unsigned seed;

@@ -12,19 +12,22 @@ enum { TABLE_COLUMNS = 256, TABLE_UNIT = 2, COVER_UNIT = 3 };
 static const double pi = 3.14159265358979323846;
 
 static SunDisk disk_of(const Scene *scene) {
-    return sun_disk(&scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg, scene->sun_radius_deg);
+    return sun_disk(&scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg,
+                    scene->sun_radius_deg);
 }
 
 static bool is(const MethodChoice *choice, const char *name) {
     return strcmp(choice->method->name, name) == 0;
 }
 
-void sun_slots(const MethodChoice *choice, const Scene *scene, bool image, const char *spheres, GlslSlot *slots) {
+void sun_slots(const MethodChoice *choice, const Scene *scene, bool image, const char *spheres,
+               GlslSlot *slots) {
     bool mirrors = scene->mirror_count > 0;
     slots[0] = (GlslSlot){"sun", choice->method->file, NULL};
     slots[1] = (GlslSlot){"sun-image", image ? "sun/image.glsl" : "sun/image_none.glsl", NULL};
     slots[2] = (GlslSlot){"mirrors", mirrors ? "sun/mirrors.glsl" : "sun/mirrors_none.glsl", NULL};
-    slots[3] = (GlslSlot){"mirrors-image", mirrors ? "sun/mirrors_image.glsl" : "sun/mirrors_image_none.glsl", NULL};
+    slots[3] =
+        (GlslSlot){"mirrors-image", mirrors ? "sun/mirrors_image.glsl" : "sun/mirrors_image_none.glsl", NULL};
     slots[4] = (GlslSlot){"mirror-spheres", NULL, spheres};
 }
 
@@ -39,9 +42,11 @@ static void add_rectangle(Sun *sun, Rectangle rectangle) {
     if (rectangle.width && rectangle.height) sun->rectangles[sun->rectangle_count++] = rectangle;
 }
 
-/* Where the eye sees the disk's middle in a sphere, by bisection of Alhazen's angle (glsl/sun/mirror_sphere.glsl). A
- * sphere reflects the disk smaller than it is, so that its image is within the disk's radius of that direction. */
-static bool reflected_toward(const double eye[3], const double sphere[4], const double light[3], double out[3]) {
+/* Where the eye sees the disk's middle in a sphere, by bisection of Alhazen's angle
+ * (glsl/sun/mirror_sphere.glsl). A sphere reflects the disk smaller than it is, so that its image is within
+ * the disk's radius of that direction. */
+static bool reflected_toward(const double eye[3], const double sphere[4], const double light[3],
+                             double out[3]) {
     double point[3], across[3], r = 0, along = 0, off = 0;
     for (int i = 0; i < 3; i++) point[i] = (eye[i] - sphere[i]) / sphere[3], r += point[i] * point[i];
     for (int i = 0; i < 3; i++) along += point[i] * light[i];
@@ -73,14 +78,17 @@ static void find_rectangles(Sun *sun, const SunDisk *disk, const Scene *scene, c
     }
 }
 
-/* The disk's image as it would be unblocked; a texel of nothing where it is not in the picture or is no ellipse there. */
+/* The disk's image as it would be unblocked; a texel of nothing where it is not in the picture or is no
+ * ellipse there. */
 static void create_cover(Sun *sun, const SunDisk *disk, const Scene *scene, const Camera *camera) {
     Rectangle r = camera_cone_rectangle(camera, disk->middle, disk->radius);
     float none[4] = {0};
-    float *cover = r.width && r.height ? memory_get((size_t)r.width * (size_t)r.height, 4 * sizeof *cover) : none;
+    float *cover =
+        r.width && r.height ? memory_get((size_t)r.width * (size_t)r.height, 4 * sizeof *cover) : none;
     bool there = cover != none && sun_disk_cover(disk, &scene->atmosphere, camera, r, cover);
     if (there) sun->covered = r;
-    sun->cover = texture_create(sun->gl, there ? r.width : 1, there ? r.height : 1, GL_NEAREST, there ? cover : none);
+    sun->cover =
+        texture_create(sun->gl, there ? r.width : 1, there ? r.height : 1, GL_NEAREST, there ? cover : none);
     if (cover != none) free(cover);
 }
 

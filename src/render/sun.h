@@ -1,4 +1,5 @@
-/* The sun's disk in a picture: what its GLSL (glsl/sun/) is told, and where in the picture its own image may be. */
+/* The sun's disk in a picture: what its GLSL (glsl/sun/) is told, and where in the picture its own image may
+ * be. */
 #pragma once
 
 #include "render/camera.h"
@@ -18,9 +19,10 @@ typedef struct Sun {
 /* The method that `text` names, NULL for what the scene says; "off" where the disk has set. */
 MUST_CHECK bool sun_choose(MethodChoice *choice, const char *text, const Scene *scene, Error *error);
 
-/* Fills slots[0 .. SUN_SLOTS): <sun>, <sun-image>, <mirrors>, <mirrors-image>, <mirror-spheres>. `image`: for the
- * program that draws the disk's image; `spheres` is GLSL that they refer to. */
-void sun_slots(const MethodChoice *choice, const Scene *scene, bool image, const char *spheres, GlslSlot *slots);
+/* Fills slots[0 .. SUN_SLOTS): <sun>, <sun-image>, <mirrors>, <mirrors-image>, <mirror-spheres>. `image`: for
+ * the program that draws the disk's image; `spheres` is GLSL that they refer to. */
+void sun_slots(const MethodChoice *choice, const Scene *scene, bool image, const char *spheres,
+               GlslSlot *slots);
 
 /* The disk as the scene has it: makes its textures and finds the rectangles. */
 MUST_CHECK bool sun_create(Sun *sun, const Context *context, const MethodChoice *choice, const Scene *scene,

@@ -1,0 +1,6 @@
+#include "light/surface.glsl"
+
+// Bounces as the material draws them.
+Bounce path_bounce(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
+    return material_sample(material, normal, incoming, u, v);
+}

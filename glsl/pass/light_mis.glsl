@@ -1,0 +1,3 @@
+// --light mis
+#include "pass/sky_sampler.glsl"
+#include "light/mis.glsl"

@@ -1,0 +1,34 @@
+// Directions in proportion to the sky's luminance times the sine of elevation. The sky's cells are cut into bins of the same
+// probability, in the order of Hilbert's curve over the sky, so that numbers spread evenly make directions spread evenly.
+#include "light/sky_cells.glsl"
+
+uniform sampler2D sky_bins;       // by bin: its cell, that cell's first bin, how many it has
+uniform sampler2D sky_cell_share; // by cell: its share of the bins
+uniform vec3 sky_cells_count;
+uniform float sky_cells_horizon;
+uniform vec3 sky_cells_level;
+
+SkyCells sky_cells() {
+    return SkyCells(sky_cells_count, sky_cells_horizon, sky_cells_level);
+}
+
+// u.x chooses the side of the sun, the bin and the azimuth in its cell; u.y the elevation in it.
+vec3 sky_sample(vec2 u) {
+    ivec2 size = textureSize(sky_bins, 0);
+    float bins = float(size.x * size.y);
+    float side = u.x < 0.5 ? 1.0 : -1.0;
+    float at = (u.x < 0.5 ? 2.0 * u.x : 2.0 * u.x - 1.0) * bins;
+    int bin = min(int(at), size.x * size.y - 1);
+    vec4 entry = texelFetch(sky_bins, ivec2(bin % size.x, bin / size.x), 0);
+    float across = clamp((at - entry.y) / entry.z, 0.0, 1.0);
+    float row = floor((entry.x + 0.5) / sky_cells_count.x);
+    return sky_cell_sample(sky_cells(), vec2(entry.x - row * sky_cells_count.x, row), vec2(across, u.y), side);
+}
+
+// Density of sky_sample() at a direction, 1/sr.
+float sky_pdf(vec3 direction) {
+    SkyCells cells = sky_cells();
+    vec2 cell = floor(sky_cell_position(cells, direction));
+    float share = texelFetch(sky_cell_share, ivec2(int(cell.x), int(cell.y)), 0).x;
+    return share / sky_cell_solid_angle(cells, cell.y);
+}
