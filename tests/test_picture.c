@@ -156,67 +156,6 @@ static void test_bowl(void **state) {
     image_free(&plane);
 }
 
-/* Eight seeds of a picture: each channel's mean and the variance of that mean. */
-static void render_seeds(const char *arguments, int first_seed, int size, double *mean, double *variance) {
-    int values = 3 * size * size;
-    memset(mean, 0, (size_t)values * sizeof *mean);
-    memset(variance, 0, (size_t)values * sizeof *variance);
-    for (int seed = 0; seed < 8; seed++) {
-        char with_seed[512];
-        snprintf(with_seed, sizeof with_seed, "scenes/crater.glsl --size %dx%d %s --seed %d", size, size,
-                 arguments, first_seed + seed);
-        Image image = render("", with_seed);
-        for (int i = 0; i < values; i++) {
-            double value = (double)image.rgba[4 * (i / 3) + i % 3];
-            mean[i] += value / 8;
-            variance[i] += value * value / 8;
-        }
-        image_free(&image);
-    }
-    for (int i = 0; i < values; i++) variance[i] = (variance[i] - mean[i] * mean[i]) / 7;
-}
-
-/* Every estimator and sequence gives the same picture, pixel by pixel: z^2 of the difference of two means of
- * eight seeds is, to 5 %, what Student's t with Welch's degrees of freedom makes it. */
-static void test_estimators_agree(void **state) {
-    (void)state;
-    enum { SIZE = 64, VALUES = 3 * SIZE * SIZE };
-    static const char *const suns[] = {"60", "30", "5,90", "-2"};
-    static const char *const others[] = {"--light control --sequence sobol",
-                                         "--light control --sequence random",
-                                         "--light cosine --sequence additive"};
-    static double mean[2][VALUES], variance[2][VALUES];
-    for (int s = 0; s < 4; s++) {
-        char arguments[256];
-        snprintf(arguments, sizeof arguments, "--spp 512 --sun %s --light cosine --sequence random", suns[s]);
-        render_seeds(arguments, 0, SIZE, mean[0], variance[0]);
-        for (int k = 0; k < 3; k++) {
-            double z2 = 0, expected = 0, sums[2] = {0};
-            int counted = 0, far = 0;
-            snprintf(arguments, sizeof arguments, "--spp 512 --sun %s %s", suns[s], others[k]);
-            render_seeds(arguments, 100, SIZE, mean[1], variance[1]);
-            for (int i = 0; i < VALUES; i++) {
-                double both = variance[0][i] + variance[1][i], difference = mean[1][i] - mean[0][i];
-                sums[0] += mean[0][i];
-                sums[1] += mean[1][i];
-                if (both < 1e-10 * mean[0][i] * mean[0][i])
-                    continue; /* the sky itself: no noise to speak of */
-                double freedom =
-                    7 * both * both / (variance[0][i] * variance[0][i] + variance[1][i] * variance[1][i]);
-                expected += freedom / (freedom - 2);
-                z2 += difference * difference / both;
-                far += difference * difference > 16 * both;
-                counted++;
-            }
-            print_message("sun %s, %s: means differ by %+.3f %%, mean z^2 %.3f of %.3f, |z| > 4 in %.2f %%\n",
-                          suns[s], others[k], 100 * (sums[1] / sums[0] - 1), z2 / counted, expected / counted,
-                          100.0 * far / counted);
-            assert_true(fabs(sums[1] / sums[0] - 1) < 2e-3);
-            assert_true(fabs(z2 / expected - 1) < 0.05 && far < 0.01 * counted);
-        }
-    }
-}
-
 static const char small[] = "scenes/crater.glsl --size 96x80 --spp 40 --sky paper:8x2";
 
 static void test_backends_agree(void **state) {
@@ -372,7 +311,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_references),       cmocka_unit_test(test_table_in_picture),
         cmocka_unit_test(test_furnace),          cmocka_unit_test(test_bowl),
-        cmocka_unit_test(test_estimators_agree), cmocka_unit_test(test_seeds),
+        cmocka_unit_test(test_seeds),
         cmocka_unit_test(test_threads_agree),    cmocka_unit_test(test_second_driver),
         cmocka_unit_test(test_backends_agree),   cmocka_unit_test(test_cuts_agree),
         cmocka_unit_test(test_nonfinite),
