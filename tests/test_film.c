@@ -12,7 +12,7 @@ static void create_pass(const Context *context, const char *body, Program *progr
     GlslSource source;
     Error error;
     snprintf(glsl, sizeof glsl,
-             "#version 330 core\n#include \"math/dialect.glsl\"\n#include \"pass/film.glsl\"\n"
+             "#version 330 core\n#include \"math/dialect.glsl\"\n#include \"pass/scatter.glsl\"\n"
              "uniform uint pass;\nvoid main() { %s }\n",
              body);
     const char *path = support_write("pass.glsl", glsl);
@@ -95,6 +95,43 @@ static void test_rejected(void **state) {
     context_close(&context);
 }
 
+/* The variance of the mean from groups of other sizes, one of them empty, against the definition; small
+ * beside the mean in one channel, where a sum of squares would have lost it. */
+static void test_variance(void **state) {
+    (void)state;
+    enum { GROUPS = 6 };
+    static const double sizes[GROUPS] = {16, 16, 0, 16, 5, 3}, means[GROUPS] = {1, 3, 9, 2.5, 0, 7};
+    Context context;
+    Film film;
+    Program program;
+    Error error;
+    float rgb[2 * 3], samples[2];
+    double sum = 0, count = 0, scatter = 0;
+    support_open(&context);
+    create_pass(&context,
+                "float n = float[6](16, 16, 0, 16, 5, 3)[pass], m = float[6](1, 3, 9, 2.5, 0, 7)[pass];\n"
+                "vec4 group = n * vec4(m, 1000.0 + m / 128.0, 5.0, 1.0);\n"
+                "if (gl_FragCoord.x > 1.0 && pass > 0u) group = vec4(0.0);\n"
+                "film_scatter(group); film_add(group, 0.0);",
+                &program);
+    assert_true(film_create_scatter(&film, &context, 2, 1, &error));
+    assert_true(film_read_variance(&film, rgb, &error));
+    assert_true(isnan(rgb[0]));
+    for (unsigned pass = 0; pass < GROUPS; pass++) run_pass(&film, &program, pass, 16);
+    for (int i = 0; i < GROUPS; i++) sum += sizes[i] * means[i], count += sizes[i];
+    for (int i = 0; i < GROUPS; i++) scatter += sizes[i] * pow(means[i] - sum / count, 2);
+    double expected = scatter / 4 / count;
+    assert_true(film_read_variance(&film, rgb, &error) && film_read_samples(&film, samples, &error));
+    assert_true(fabs((double)rgb[0] / expected - 1) < 1e-6);
+    assert_true(fabs((double)rgb[1] * 128 * 128 / expected - 1) < 2e-2);
+    assert_true(rgb[2] == 0);
+    assert_true(samples[0] == 56 && samples[1] == 16);
+    for (int c = 3; c < 6; c++) assert_true(isnan(rgb[c])); /* one group only */
+    film_destroy(&film);
+    program_destroy(&program);
+    context_close(&context);
+}
+
 /* What is begun and not committed never was, whichever rows it drew. */
 static void test_uncommitted(void **state) {
     (void)state;
@@ -151,10 +188,8 @@ int main(void) {
     /* Llvmpipe's threads cost more than they bring on films of a few pixels. */
     setenv("LP_NUM_THREADS", "0", 0);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_long_mean),
-        cmocka_unit_test(test_rejected),
-        cmocka_unit_test(test_uncommitted),
-        cmocka_unit_test(test_finite),
+        cmocka_unit_test(test_long_mean),   cmocka_unit_test(test_rejected), cmocka_unit_test(test_variance),
+        cmocka_unit_test(test_uncommitted), cmocka_unit_test(test_finite),
     };
     return cmocka_run_group_tests_name("film", tests, support_folder, support_clean);
 }

@@ -12,6 +12,7 @@
 #include "math/finite.glsl"
 #include "pass/camera.glsl"
 #include "pass/film.glsl"
+#include <scatter>
 
 uniform uint first_sample;
 uniform uint group_samples;
@@ -29,5 +30,6 @@ void main() {
         group += is_finite(radiance) ? vec4(radiance, 1.0) : vec4(0.0);
         i += 1u;
     } while (i < group_samples);
+    film_scatter(group);
     film_add(group, float(group_samples) - group.a);
 }

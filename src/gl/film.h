@@ -5,20 +5,24 @@
  * mean keeps float's precision after any number of samples; a plain float sum stalls when a group falls below
  * its last bit.
  *
- * A pass's fragment shader includes pass/film.glsl and calls film_add() once a pixel. Row 0 is the picture's
- * top. */
+ * A film that is to know its error has a third, `scatter`: how the groups' means scatter about the mean, sum
+ * of n_g (m_g - m)^2 over groups of n_g samples and mean m_g (rgb), and the number of groups (alpha). Over
+ * groups - 1 it estimates a sample's variance, whatever their sizes; over samples more, the mean's. So it is
+ * where samples are independent (--sequence random). The groups of one low-discrepancy sequence fill each
+ * other's gaps, which makes the mean better than its groups' scatter tells: there it is an upper estimate.
+ *
+ * A pass's fragment shader includes pass/film.glsl and calls film_add() once a pixel, and before it
+ * film_scatter() of pass/scatter.glsl, or of pass/scatter_none.glsl. Row 0 is the picture's top. */
 #pragma once
 
-#include "gl/program.h"
+#include "gl/target.h"
 #include "image/image.h"
 
 #include <stdint.h>
 
 typedef struct Film {
-    const GlApi *gl;
     int width, height;
-    GLuint sum[2], rest[2], framebuffer[2];
-    int front;        /* index of the side that holds the picture so far */
+    Target target;    /* textures: sum, rest, scatter */
     uint64_t samples; /* a pixel, in committed passes */
 } Film;
 
@@ -27,6 +31,9 @@ typedef struct FilmCount {
 } FilmCount;
 
 MUST_CHECK bool film_create(Film *film, const Context *context, int width, int height, Error *error);
+
+/* The same with `scatter`, for film_read_variance(). */
+MUST_CHECK bool film_create_scatter(Film *film, const Context *context, int width, int height, Error *error);
 void film_destroy(Film *film);
 
 /* Forgets all samples. */
@@ -42,3 +49,10 @@ void film_commit(Film *film, uint64_t samples);
 
 /* The mean radiance, alpha 1 where a sample was accepted and 0 elsewhere, and the counts. */
 MUST_CHECK bool film_read(const Film *film, Image *image, FilmCount *count, Error *error);
+
+/* Accepted samples: one float a pixel. */
+MUST_CHECK bool film_read_samples(const Film *film, float *samples, Error *error);
+
+/* The estimated variance of each pixel's mean: 3 floats a pixel, NaN where fewer than two groups were taken
+ * and it is not known. Of a film with `scatter`. */
+MUST_CHECK bool film_read_variance(const Film *film, float *rgb, Error *error);

@@ -69,6 +69,30 @@ static int64_t stream_write(exr_const_context_t context, void *data, const void 
 
 /* Writing */
 
+/* The picture itself is the first layer. */
+static int layer_count(const Image *image) {
+    return 1 + image->layer_count;
+}
+
+static ImageLayer layer_get(const Image *image, int i) {
+    return i ? image->layers[i - 1] : (ImageLayer){"", "RGBA", image->rgba};
+}
+
+static void channel_name(const ImageLayer *layer, size_t channel, char *name, size_t size) {
+    snprintf(name, size, "%s%s%c", layer->name, *layer->name ? "." : "", layer->channels[channel]);
+}
+
+/* OpenEXR puts the channels into the order of their names, as the format wants them. */
+static exr_result_t layer_declare(exr_context_t file, int part, const ImageLayer *layer) {
+    exr_result_t result = EXR_ERR_SUCCESS;
+    for (size_t c = 0; !result && layer->channels[c]; c++) {
+        char name[64];
+        channel_name(layer, c, name, sizeof name);
+        result = exr_add_channel(file, part, name, EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
+    }
+    return result;
+}
+
 static exr_result_t header_write(exr_context_t file, const Image *image, const ImageWriteParams *params) {
     const AttributeList *attributes = params->attributes;
     int part;
@@ -77,9 +101,9 @@ static exr_result_t header_write(exr_context_t file, const Image *image, const I
         result =
             exr_initialize_required_attr_simple(file, part, image->width, image->height, EXR_COMPRESSION_ZIP);
     }
-    static const char *const names[] = {"R", "G", "B", "A"};
-    for (int c = 0; !result && c < 4; c++) {
-        result = exr_add_channel(file, part, names[c], EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
+    for (int i = 0; !result && i < layer_count(image); i++) {
+        ImageLayer layer = layer_get(image, i);
+        result = layer_declare(file, part, &layer);
     }
     if (!result && params->latlong) result = exr_attr_set_envmap(file, part, "envmap", EXR_ENVMAP_LATLONG);
     for (int i = 0; !result && attributes && i < attributes->count; i++) {
@@ -92,6 +116,19 @@ static exr_result_t header_write(exr_context_t file, const Image *image, const I
     return result ? result : exr_write_header(file);
 }
 
+/* Points the channel at its numbers in row y of the layer, if it is one of the layer's. */
+static void channel_point(exr_coding_channel_info_t *channel, const ImageLayer *layer, int width, int y) {
+    size_t channels = strlen(layer->channels);
+    for (size_t c = 0; c < channels; c++) {
+        char name[64];
+        channel_name(layer, c, name, sizeof name);
+        if (strcmp(name, channel->channel_name) != 0) continue;
+        channel->user_pixel_stride = (int32_t)(channels * sizeof(float));
+        channel->user_line_stride = width * channel->user_pixel_stride;
+        channel->encode_from_ptr = (const uint8_t *)(layer->data + channels * (size_t)y * (size_t)width + c);
+    }
+}
+
 static exr_result_t chunk_write(exr_context_t file, const Image *image, int y) {
     exr_chunk_info_t chunk;
     exr_result_t result = exr_write_scanline_chunk_info(file, 0, y, &chunk);
@@ -99,13 +136,10 @@ static exr_result_t chunk_write(exr_context_t file, const Image *image, int y) {
     exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
     result = exr_encoding_initialize(file, 0, &chunk, &pipeline);
     if (!result) {
-        const float *row = image->rgba + 4 * (size_t)y * (size_t)image->width;
-        for (int i = 0; i < pipeline.channel_count; i++) {
-            exr_coding_channel_info_t *channel = &pipeline.channels[i];
-            channel->user_pixel_stride = 4 * sizeof(float);
-            channel->user_line_stride = image->width * channel->user_pixel_stride;
-            channel->encode_from_ptr =
-                (const uint8_t *)(row + (strchr("RGBA", *channel->channel_name) - "RGBA"));
+        for (int i = 0; i < layer_count(image); i++) {
+            ImageLayer layer = layer_get(image, i);
+            for (int c = 0; c < pipeline.channel_count; c++)
+                channel_point(&pipeline.channels[c], &layer, image->width, y);
         }
         result = exr_encoding_choose_default_routines(file, 0, &pipeline);
     }

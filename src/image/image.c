@@ -9,10 +9,22 @@
 #include <strings.h>
 
 Image image_create(int width, int height) {
-    return (Image){width, height, memory_get((size_t)width * (size_t)height, 4 * sizeof(float))};
+    return (Image){.width = width,
+                   .height = height,
+                   .rgba = memory_get((size_t)width * (size_t)height, 4 * sizeof(float))};
+}
+
+float *image_add_layer(Image *image, const char *name, const char *channels) {
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    float *data = memory_get(pixels * strlen(channels), sizeof *data);
+    image->layers = memory_grow(image->layers, (size_t)image->layer_count + 1, sizeof *image->layers);
+    image->layers[image->layer_count++] = (ImageLayer){name, channels, data};
+    return data;
 }
 
 void image_free(Image *image) {
+    for (int i = 0; i < image->layer_count; i++) free(image->layers[i].data);
+    free(image->layers);
     free(image->rgba);
     *image = (Image){0};
 }
@@ -76,6 +88,12 @@ static bool format_choose(const char *path, Format *format, Error *error) {
 bool image_check_path(const char *path, Error *error) {
     Format format;
     return format_choose(path, &format, error);
+}
+
+bool image_keeps_layers(const char *path) {
+    Format format;
+    Error error;
+    return format_choose(path, &format, &error) && format == FORMAT_EXR;
 }
 
 bool image_write(const Image *image, const char *path, const ImageWriteParams *params, Error *error) {

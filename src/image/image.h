@@ -1,17 +1,30 @@
-/* A picture in memory: rows of linear RGBA float pixels, row 0 at the top. */
+/* A picture in memory: rows of linear RGBA float pixels, row 0 at the top, and layers beside them. */
 #pragma once
 
 #include "base/error.h"
 #include "base/text.h"
 
+/* What else is known of each pixel. Only EXR keeps it, in channels named by the layer and a letter:
+ * "normal.X", or "Z" alone where the layer has no name. */
+typedef struct ImageLayer {
+    const char *name;     /* "normal"; may be "" */
+    const char *channels; /* a letter each: "XYZ" */
+    float *data;          /* strlen(channels) floats a pixel, in rows; owned by the image */
+} ImageLayer;
+
 typedef struct Image {
     int width, height;
-    float *rgba; /* 4 * width * height, owned; alpha is 1 where a sample was taken, else 0 */
+    float *rgba;        /* 4 * width * height, owned; alpha is 1 where a sample was taken, else 0 */
+    ImageLayer *layers; /* owned; none in a picture that was read */
+    int layer_count;
 } Image;
 
 /* A zeroed picture. */
 Image image_create(int width, int height);
 void image_free(Image *image);
+
+/* Adds a layer and gives its zeroed data, to be filled. The strings stay the caller's. */
+float *image_add_layer(Image *image, const char *name, const char *channels);
 
 /* One line of metadata. The name is an EXR attribute's, such as "magichour.seed". */
 typedef struct Attribute {
@@ -45,6 +58,9 @@ typedef struct ImageWriteParams {
 /* Whether the path's extension (.exr, .png, .pfm) names a format that can be written; STATUS_USAGE if not.
  * A device or pipe without an extension is given EXR. */
 MUST_CHECK bool image_check_path(const char *path, Error *error);
+
+/* Whether a picture written to this path keeps its layers. */
+bool image_keeps_layers(const char *path);
 
 /* Encodes by the path's extension and replaces the file (see file_replace). */
 MUST_CHECK bool image_write(const Image *image, const char *path, const ImageWriteParams *params,

@@ -1,7 +1,7 @@
 #include "render/renderer.h"
 
-#include "base/clock.h"
 #include "base/text.h"
+#include "render/strips.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -114,7 +114,7 @@ static void write_spheres(Text *text, const char *count_name, const char *functi
 static bool flatten(const Methods *methods, const RenderParams *params, bool image, GlslSource *source,
                     Error *error) {
     const Scene *scene = params->scene;
-    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 5] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
+    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 6] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
     SkySlotText text;
     Text bounds = {0}, mirrors = {0};
     write_spheres(&bounds, "SCENE_BOUNDS", "scene_bound", scene->bounds, scene->bound_count);
@@ -125,6 +125,7 @@ static bool flatten(const Methods *methods, const RenderParams *params, bool ima
     slot[1] = (GlslSlot){"light", methods->light.method->file, NULL};
     slot[2] = (GlslSlot){"scene", scene->path, NULL};
     slot[3] = (GlslSlot){"bounds", NULL, text_string(&bounds)};
+    slot[4] = (GlslSlot){"scatter", params->variance ? "pass/scatter.glsl" : "pass/scatter_none.glsl", NULL};
     bool ok = check_scene_functions(params, error) &&
               glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
     text_free(&bounds);
@@ -152,7 +153,7 @@ static bool create_program(Program *program, const Context *context, const Metho
     return ok;
 }
 
-static void set_parameters(const Program *program, const Scene *scene) {
+void renderer_set_parameters(const Program *program, const Scene *scene) {
     for (int i = 0; i < scene->parameter_count; i++) {
         const Parameter *parameter = &scene->parameters[i];
         switch (parameter->type) {
@@ -182,7 +183,7 @@ static bool set_up(Renderer *renderer, const Program *program, const Scene *scen
     if (!sky_use(sky, program, state, error)) return false;
     sun_use(&renderer->sun, program, scene, &renderer->camera);
     camera_set(&renderer->camera, program);
-    set_parameters(program, scene);
+    renderer_set_parameters(program, scene);
     program_set_uint(program, "seed", renderer->seed);
     program_set_int(program, "max_hits", renderer->max_hits);
     return gl_check(renderer->gl, "setting up the pass", error);
@@ -199,13 +200,19 @@ static bool create_light(Renderer *renderer, const Context *context, const Rende
            (!sampler || sky_sampler_create(&renderer->sampler, context, error));
 }
 
+static bool create_film(Film *film, const Context *context, const Camera *camera, bool variance,
+                        Error *error) {
+    return variance ? film_create_scatter(film, context, camera->width, camera->height, error)
+                    : film_create(film, context, camera->width, camera->height, error);
+}
+
 static bool create_parts(Renderer *renderer, const Context *context, const RenderParams *params,
                          const Methods *methods, Error *error) {
     const Scene *scene = params->scene;
     const Camera *camera = &renderer->camera;
     if (!create_program(&renderer->program, context, methods, params, false, &renderer->source_files,
                         error) ||
-        !film_create(&renderer->film, context, camera->width, camera->height, error) ||
+        !create_film(&renderer->film, context, camera, params->variance, error) ||
         !sky_create(&renderer->sky, context, params->library, &methods->sky, &scene->atmosphere, error) ||
         !sun_create(&renderer->sun, context, &methods->sun, scene, camera, error)) {
         return false;
@@ -259,13 +266,6 @@ void renderer_destroy(Renderer *renderer) {
     *renderer = (Renderer){0};
 }
 
-/* Rows for the next draw, about a tenth of a second's worth. */
-static int strip_rows(const Renderer *renderer, int rows_left) {
-    int rows = 1;
-    while (rows < rows_left && rows * 2 < renderer->rows_per_second * 0.1) rows *= 2;
-    return rows < rows_left ? rows : rows_left;
-}
-
 static void begin(Renderer *renderer, const Program *program, unsigned group) {
     program_use(program);
     program_set_uint(program, "first_sample", (unsigned)renderer->film.samples);
@@ -287,17 +287,9 @@ static void draw_sun_image(Renderer *renderer, unsigned group) {
 bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error) {
     Film *film = &renderer->film;
     unsigned group = samples < renderer->group_samples ? (unsigned)samples : renderer->group_samples;
-    bool stopped = false;
     begin(renderer, &renderer->program, group);
-    for (int row = 0; row < film->height && !stopped;) {
-        int rows = strip_rows(renderer, film->height - row);
-        double start = clock_seconds();
-        program_draw(&renderer->program, 0, row, film->width, rows);
-        renderer->gl->Finish();
-        renderer->rows_per_second = rows / fmax(clock_seconds() - start, 1e-6);
-        row += rows;
-        stopped = row < film->height && stop && stop();
-    }
+    bool stopped =
+        !strips_draw(&renderer->program, film->width, film->height, &renderer->rows_per_second, stop);
     if (!stopped) draw_sun_image(renderer, group);
     if (!gl_check(renderer->gl, "drawing a pass", error)) return false;
     if (!stopped || film->samples == 0) film_commit(film, group);

@@ -20,6 +20,7 @@ typedef struct RenderParams {
     unsigned seed;
     int max_hits;     /* 0 is unlimited */
     uint64_t samples; /* likely to be taken a pixel, for auto's choice; 0 is many */
+    bool variance;    /* whether the film is to know its error (film_read_variance) */
 } RenderParams;
 
 typedef struct Renderer {
@@ -51,6 +52,9 @@ MUST_CHECK bool renderer_flatten(const RenderParams *params, GlslSource *source,
 MUST_CHECK bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params,
                                 Error *error);
 void renderer_destroy(Renderer *renderer);
+
+/* Tells `program`, which is in use, the values of the scene's own uniforms. */
+void renderer_set_parameters(const Program *program, const Scene *scene);
 
 /* Adds one group, at most `samples`. Drawn in strips of rows so that `stop` (may be NULL) is asked about ten
  * times a second: when it says yes, the unfinished group is dropped, or kept as far as it came if it is the

@@ -1,0 +1,17 @@
+// How the groups' means scatter, kept by a film that is to know its error. See src/gl/film.h for what it means.
+#include "pass/film.glsl"
+
+uniform sampler2D film_scatter_sum;
+
+layout(location = 2) out vec4 film_scatter_next;
+
+// Of the group that film_add() takes in next. Chan's update: what a group adds to the sum of n_g (m_g - m)^2 is known from its
+// mean and the mean before it, without the cancellation of squares that are summed. A group with no sample is none.
+void film_scatter(vec4 group) {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 sum = texelFetch(film_sum, pixel, 0);
+    vec4 scatter = texelFetch(film_scatter_sum, pixel, 0);
+    vec3 difference = group.rgb / max(group.a, 1.0) - (sum.rgb + vec3(texelFetch(film_rest, pixel, 0))) / max(sum.a, 1.0);
+    float weight = group.a * sum.a / max(group.a + sum.a, 1.0);
+    film_scatter_next = scatter + vec4(weight * difference * difference, group.a > 0.0 ? 1.0 : 0.0);
+}

@@ -1,0 +1,33 @@
+/* What passes draw into: float textures on two sides. A pass reads the front and writes the back, then they
+ * change places. */
+#pragma once
+
+#include "gl/program.h"
+
+enum { TARGET_TEXTURES = 3 };
+
+typedef struct Target {
+    const GlApi *gl;
+    int width, height;
+    int count;                                           /* of textures a side */
+    GLuint textures[2][TARGET_TEXTURES], framebuffer[2]; /* RGBA32F, the shader's outputs 0 .. count - 1 */
+    int front;
+} Target;
+
+/* Cleared. STATUS_USAGE for a size beyond this OpenGL's. */
+MUST_CHECK bool target_create(Target *target, const Context *context, int width, int height, int count,
+                              Error *error);
+void target_destroy(Target *target);
+
+/* Zeroes both sides. */
+void target_clear(Target *target);
+
+/* Makes the back side what is drawn into, and the front side's texture i the sampler names[i], on the unit
+ * units[i]. The program must be in use. */
+void target_begin(const Target *target, const Program *program, const char *const *names, const int *units);
+
+/* The back becomes the front. */
+void target_swap(Target *target);
+
+/* The front's texture i: 4 floats a texel, row 0 first. */
+MUST_CHECK bool target_read(const Target *target, int i, float *rgba, Error *error);
