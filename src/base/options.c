@@ -188,6 +188,7 @@ static const Option table[] = {
     STRING("--backend", "NAME", R | I | S, backend, "auto, egl, osmesa or glfw"),
     STRING("--glsl-dir", "DIR", R | I | F | S, glsl_dir,
            "the GLSL library, in place of the one beside the program"),
+    STRING("--aov", "LIST", R, aov, "layers of .exr, some of albedo,normal,depth,samples,variance"),
     TAKE("--progress", "KIND", R, take_progress, "tty, json or none; tty on a terminal, else none"),
     STRING("--at", "FILE.csv", S, at,
            "radiances for rows height_m,sun_el_deg,view_el_deg,az_deg (azimuth from the sun's), as CSV"),

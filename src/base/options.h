@@ -37,6 +37,7 @@ typedef struct Options {
     bool has_exposure;
     double exposure_ev;
     const char *tone, *progress, *at;
+    const char *aov;      /* "albedo,depth" */
     const char *sun_disk; /* the method that finds the sun's disk */
     bool quiet, verbose;
 

@@ -5,6 +5,7 @@
 #include "cmd/progress.h"
 #include "cmd/setup.h"
 #include "image/image.h"
+#include "render/aov.h"
 #include "render/renderer.h"
 
 #include <inttypes.h>
@@ -21,6 +22,8 @@ typedef struct Job {
     Scene scene;
     Context context;
     Renderer renderer;
+    unsigned aov_kinds;
+    Aov aov;
     Image image;
     FilmCount count;
     ProgressFigures figures;
@@ -38,6 +41,15 @@ static bool check_outputs(const Options *options, Error *error) {
     return true;
 }
 
+/* Layers are asked for by name, and need a file that holds them. */
+static bool check_aov(const Options *options, unsigned *kinds, Error *error) {
+    if (!aov_parse(options->aov, kinds, error)) return false;
+    for (int i = 0; i < options->output_count; i++) {
+        if (image_keeps_layers(options->outputs[i])) return true;
+    }
+    return !*kinds || error_set(error, STATUS_USAGE, "--aov: only .exr holds layers, and no -o names one");
+}
+
 /* A pixel; 0 where only time limits. */
 static uint64_t wanted_samples(const Options *options) {
     return options->samples ? options->samples : options->seconds > 0 ? 0 : DEFAULT_SAMPLES;
@@ -45,8 +57,8 @@ static uint64_t wanted_samples(const Options *options) {
 
 static bool prepare(Job *job, Error *error) {
     const Options *options = job->options;
-    if (!check_outputs(options, error) || !setup_library(options, &job->library, error) ||
-        !setup_scene(options, &job->scene, error)) {
+    if (!check_outputs(options, error) || !check_aov(options, &job->aov_kinds, error) ||
+        !setup_library(options, &job->library, error) || !setup_scene(options, &job->scene, error)) {
         return false;
     }
     if (options->width && !scene_check_size(options->width, options->height, error)) return false;
@@ -60,9 +72,11 @@ static bool prepare(Job *job, Error *error) {
                            .height = options->height,
                            .seed = options->seed,
                            .max_hits = options->depth,
-                           .samples = wanted_samples(options)};
+                           .samples = wanted_samples(options),
+                           .variance = job->aov_kinds & AOV_VARIANCE};
     return context_open(&job->context, options->backend, error) &&
-           renderer_create(&job->renderer, &job->context, &params, error);
+           renderer_create(&job->renderer, &job->context, &params, error) &&
+           aov_create(&job->aov, job->aov_kinds, &job->context, &params, &job->renderer, error);
 }
 
 static bool enough(const ProgressFigures *figures) {
@@ -84,13 +98,18 @@ static bool render(Job *job, Error *error) {
     while (!enough(figures) && !interrupt_requested()) {
         uint64_t most = figures->target_samples ? figures->target_samples : UINT32_MAX;
         if (film->samples >= most) break;
-        if (!renderer_pass(&job->renderer, most - film->samples, interrupt_requested, error)) return false;
+        if (!renderer_pass(&job->renderer, most - film->samples, interrupt_requested, error) ||
+            !aov_pass(&job->aov, &job->renderer, interrupt_requested, error)) {
+            return false;
+        }
         figures->samples = film->samples;
         figures->paths = film->samples * pixels;
         figures->seconds = clock_seconds() - start;
         progress_report(&progress, figures);
     }
-    if (!film_read(film, &job->image, &job->count, error)) return false;
+    if (!film_read(film, &job->image, &job->count, error) || !aov_read(&job->aov, film, &job->image, error)) {
+        return false;
+    }
     figures->paths =
         job->count.accepted + job->count.rejected; /* fewer than samples x pixels if stopped early */
     figures->rejected = job->count.rejected;
@@ -116,6 +135,7 @@ static void describe(const Job *job, int argc, char **argv, AttributeList *list)
     attribute_add(list, "magichour.sky", "%s", renderer->sky.choice.text);
     attribute_add(list, "magichour.light", "%s", renderer->light.text);
     attribute_add(list, "magichour.sequence", "%s", renderer->sequence.text);
+    if (job->options->aov) attribute_add(list, "magichour.aov", "%s", job->options->aov);
     attribute_add(list, "magichour.depth", "%d", job->options->depth);
     attribute_add(list, "magichour.seed", "%u", renderer->seed);
     attribute_add(list, "magichour.samples", "%" PRIu64, renderer->film.samples);
@@ -178,6 +198,7 @@ static void say_summary(const Job *job) {
 
 static void release(Job *job) {
     image_free(&job->image);
+    aov_destroy(&job->aov);
     renderer_destroy(&job->renderer);
     context_close(&job->context);
     scene_destroy(&job->scene);
@@ -197,6 +218,11 @@ Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
     }
     if (ok) {
         if (!options->quiet) say_summary(&job);
+        if (job.aov_kinds & AOV_VARIANCE && job.renderer.film.samples <= job.renderer.group_samples) {
+            fprintf(stderr,
+                    "magichour: warning: --aov variance is not known from %u samples or fewer: it is NaN\n",
+                    job.renderer.group_samples);
+        }
         if (job.figures.rejected) {
             fprintf(stderr,
                     "magichour: warning: %" PRIu64 " of %" PRIu64

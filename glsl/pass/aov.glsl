@@ -1,0 +1,39 @@
+#version 330 core
+// What is seen behind a pixel, beside the light: albedo, normal and depth at the first hits of the picture's own camera rays. A group
+// of samples for each pixel, added to the sums so far.
+#include "scene.glsl"
+#include <sequence>
+#include <scene>
+#include "light/lambert.glsl"
+#include "light/surface.glsl"
+#include "math/finite.glsl"
+#include "pass/camera.glsl"
+
+uniform uint first_sample;
+uniform uint group_samples;
+uniform uint seed;
+uniform sampler2D aov_albedo; // in alpha the samples that hit something
+uniform sampler2D aov_normal; // in alpha the depth
+
+layout(location = 0) out vec4 aov_albedo_next;
+layout(location = 1) out vec4 aov_normal_next;
+
+void main() {
+    uvec2 pixel = uvec2(gl_FragCoord.xy);
+    vec4 albedo = vec4(0.0);
+    vec4 normal = vec4(0.0);
+    uint i = 0u;
+    do {
+        Sequence sequence = sequence_start(pixel.x, pixel.y, first_sample + i, seed);
+        Ray ray = camera_ray(vec2(pixel), sequence_pair(sequence));
+        Hit hit = surface_hit(ray);
+        if (hit.t < INFINITY) {
+            vec3 color = scene_material(hit).color;
+            albedo += vec4(is_finite(color) ? clamp(color, 0.0, 1.0) : vec3(0.0), 1.0);
+            normal += vec4(is_finite(hit.normal) ? hit.normal : vec3(0.0), hit.t * dot(ray.direction, camera_forward));
+        }
+        i += 1u;
+    } while (i < group_samples);
+    aov_albedo_next = texelFetch(aov_albedo, ivec2(pixel), 0) + albedo;
+    aov_normal_next = texelFetch(aov_normal, ivec2(pixel), 0) + normal;
+}

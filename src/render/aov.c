@@ -1,0 +1,155 @@
+#include "render/aov.h"
+
+#include "base/text.h"
+#include "render/strips.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+    const char *name;
+    unsigned kind;
+} kind_names[] = {{"albedo", AOV_ALBEDO},
+                  {"normal", AOV_NORMAL},
+                  {"depth", AOV_DEPTH},
+                  {"samples", AOV_SAMPLES},
+                  {"variance", AOV_VARIANCE}};
+enum { KINDS = sizeof kind_names / sizeof *kind_names };
+
+static const unsigned first_hit = AOV_ALBEDO | AOV_NORMAL | AOV_DEPTH;
+static const float no_depth = 1e10f;
+
+static unsigned find_kind(const char *name, size_t length) {
+    for (int i = 0; i < KINDS; i++) {
+        if (strlen(kind_names[i].name) == length && strncmp(kind_names[i].name, name, length) == 0)
+            return kind_names[i].kind;
+    }
+    return 0;
+}
+
+static bool unknown_kind(const char *name, size_t length, Error *error) {
+    Text known = {0};
+    for (int i = 0; i < KINDS; i++) text_print(&known, "%s%s", i ? ", " : "", kind_names[i].name);
+    error_set(error, STATUS_USAGE, "--aov: unknown '%.*s' (known: %s)", (int)length, name,
+              text_string(&known));
+    text_free(&known);
+    return false;
+}
+
+bool aov_parse(const char *list, unsigned *kinds, Error *error) {
+    *kinds = 0;
+    for (const char *name = list; name;) {
+        size_t length = strcspn(name, ",");
+        unsigned kind = find_kind(name, length);
+        if (!kind) return unknown_kind(name, length, error);
+        if (*kinds & kind)
+            return error_set(error, STATUS_USAGE, "--aov: '%.*s' comes twice", (int)length, name);
+        *kinds |= kind;
+        name = name[length] ? name + length + 1 : NULL;
+    }
+    return true;
+}
+
+static bool create_program(Program *program, const Context *context, const RenderParams *params,
+                           const Renderer *renderer, Error *error) {
+    GlslSlot slots[] = {{"sequence", renderer->sequence.method->file, NULL},
+                        {"scene", params->scene->path, NULL},
+                        {NULL, NULL, NULL}};
+    GlslSource source;
+    if (!glsl_source_create(&source, params->library, "pass/aov.glsl", slots, error)) return false;
+    bool ok = program_create(program, &context->gl, &source, error);
+    glsl_source_destroy(&source);
+    return ok;
+}
+
+bool aov_create(Aov *aov, unsigned kinds, const Context *context, const RenderParams *params,
+                const Renderer *renderer, Error *error) {
+    const Camera *camera = &renderer->camera;
+    *aov = (Aov){.kinds = kinds, .rows_per_second = renderer->rows_per_second};
+    if (!(kinds & first_hit)) return true;
+    if (!create_program(&aov->program, context, params, renderer, error) ||
+        !target_create(&aov->target, context, camera->width, camera->height, 2, error)) {
+        goto fail;
+    }
+    program_use(&aov->program);
+    camera_set(camera, &aov->program);
+    renderer_set_parameters(&aov->program, params->scene);
+    program_set_uint(&aov->program, "seed", renderer->seed);
+    if (gl_check(&context->gl, "setting up --aov", error)) return true;
+fail:
+    aov_destroy(aov);
+    return false;
+}
+
+void aov_destroy(Aov *aov) {
+    target_destroy(&aov->target);
+    program_destroy(&aov->program);
+    *aov = (Aov){0};
+}
+
+/* False when stopped: then the group never was. */
+static bool add_group(Aov *aov, unsigned group, bool (*stop)(void)) {
+    static const char *const names[] = {"aov_albedo", "aov_normal"};
+    static const int units[] = {0, 1};
+    const Target *target = &aov->target;
+    program_use(&aov->program);
+    program_set_uint(&aov->program, "first_sample", aov->samples);
+    program_set_uint(&aov->program, "group_samples", group);
+    target_begin(target, &aov->program, names, units);
+    if (!strips_draw(&aov->program, target->width, target->height, &aov->rows_per_second, stop)) return false;
+    target_swap(&aov->target);
+    aov->samples += group;
+    return true;
+}
+
+bool aov_pass(Aov *aov, const Renderer *renderer, bool (*stop)(void), Error *error) {
+    uint64_t taken = renderer->film.samples;
+    unsigned wanted = taken < AOV_MOST_SAMPLES ? (unsigned)taken : AOV_MOST_SAMPLES;
+    bool stopped = stop && stop();
+    if (!aov->program.id) return true;
+    while (!stopped && aov->samples < wanted) {
+        unsigned left = wanted - aov->samples;
+        stopped = !add_group(aov, left < renderer->group_samples ? left : renderer->group_samples, stop);
+    }
+    if (wanted && !aov->samples) add_group(aov, 1, NULL);
+    return gl_check(aov->program.gl, "drawing --aov", error);
+}
+
+/* The sums' first three channels over the samples. */
+static void add_mean(const Aov *aov, const char *name, const char *channels, const float *sums,
+                     Image *image) {
+    size_t values = 3 * (size_t)image->width * (size_t)image->height;
+    float *data = image_add_layer(image, name, channels);
+    for (size_t i = 0; aov->samples && i < values; i++)
+        data[i] = sums[i / 3 * 4 + i % 3] / (float)aov->samples;
+}
+
+static void add_depth(const float *albedo, const float *normal, Image *image) {
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    float *data = image_add_layer(image, "", "Z");
+    for (size_t i = 0; i < pixels; i++) {
+        float hits = albedo[4 * i + 3];
+        data[i] = hits > 0 ? normal[4 * i + 3] / hits : no_depth;
+    }
+}
+
+static bool read_first_hit(const Aov *aov, Image *image, Error *error) {
+    size_t values = 4 * (size_t)image->width * (size_t)image->height;
+    float *albedo = memory_get(values, sizeof *albedo), *normal = memory_get(values, sizeof *normal);
+    bool ok = target_read(&aov->target, 0, albedo, error) && target_read(&aov->target, 1, normal, error);
+    if (ok && aov->kinds & AOV_ALBEDO) add_mean(aov, "albedo", "RGB", albedo, image);
+    if (ok && aov->kinds & AOV_NORMAL) add_mean(aov, "normal", "XYZ", normal, image);
+    if (ok && aov->kinds & AOV_DEPTH) add_depth(albedo, normal, image);
+    free(albedo);
+    free(normal);
+    return ok;
+}
+
+bool aov_read(const Aov *aov, const Film *film, Image *image, Error *error) {
+    if (aov->kinds & first_hit && !read_first_hit(aov, image, error)) return false;
+    if (aov->kinds & AOV_SAMPLES && !film_read_samples(film, image_add_layer(image, "samples", "Y"), error)) {
+        return false;
+    }
+    return !(aov->kinds & AOV_VARIANCE) ||
+           film_read_variance(film, image_add_layer(image, "variance", "RGB"), error);
+}
