@@ -1,22 +1,29 @@
-/* What a picture can tell beside its light (arbitrary output variables), as layers of the image:
+/* What a picture can tell beside its light (arbitrary output variables), as layers of the image.
  *
- *   albedo    albedo.R .G .B   of the material at the first hit, or a mirror's tint, in [0,1]; 0 where
- * nothing is hit normal    normal.X .Y .Z   there, in the world's axes, toward the camera; 0 where nothing is
- * hit depth     Z                along the camera's axis (not along the ray), m; 1e10 where nothing is hit,
- * as Cycles does samples   samples.Y        in the pixel's mean; those that were not finite are left out
- *   variance  variance.R .G .B of the pixel's mean, estimated as gl/film.h says; NaN where it is not known
- *
- * The first three are means over the first AOV_MOST_SAMPLES samples of each pixel, the very rays of the
- * picture: albedo and normal over all of them, so that a normal is shorter than 1 on an edge, and depth over
- * those that hit. They have a program and a target of their own; a picture without them costs nothing more.
- */
+ * Albedo, normal and depth are those of the first hits of the picture's own camera rays, of the first
+ * AOV_MOST_SAMPLES of each pixel, with a program and a target of their own: a picture without them costs
+ * nothing more. */
 #pragma once
 
 #include "render/renderer.h"
 
 enum { AOV_MOST_SAMPLES = 256 };
 
-enum { AOV_ALBEDO = 1, AOV_NORMAL = 2, AOV_DEPTH = 4, AOV_SAMPLES = 8, AOV_VARIANCE = 16 };
+enum {
+    /* albedo.R .G .B: the mean of the material's albedo or the mirror's tint, in [0,1]; a miss counts as 0.
+     */
+    AOV_ALBEDO = 1,
+    /* normal.X .Y .Z: the mean of the unit normals toward the camera, in the world's axes; a miss counts as
+     * 0, so that the mean is shorter on an edge. */
+    AOV_NORMAL = 2,
+    /* Z: the mean of what was hit, along the camera's axis and not along the ray, m; 1e10 where nothing was,
+     * as Cycles has it. */
+    AOV_DEPTH = 4,
+    /* samples.Y: samples in the pixel's mean. Those that were not finite are not. */
+    AOV_SAMPLES = 8,
+    /* variance.R .G .B: of the pixel's mean, estimated as gl/film.h says; NaN where it is not known. */
+    AOV_VARIANCE = 16
+};
 
 typedef struct Aov {
     unsigned kinds;
@@ -27,8 +34,7 @@ typedef struct Aov {
 } Aov;
 
 /* The kinds of a list such as "albedo,normal"; NULL is none. STATUS_USAGE for names that are not known or
- * come twice.
- */
+ * come twice. */
 MUST_CHECK bool aov_parse(const char *list, unsigned *kinds, Error *error);
 
 /* For the pictures of `renderer`, which was made with the same parameters and, for AOV_VARIANCE, with a film
