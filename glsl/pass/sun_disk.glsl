@@ -4,7 +4,7 @@
 uniform vec3 sun_disk_middle;       // toward it, unit length
 uniform float sun_disk_one_less_cos; // of its angular radius
 uniform vec3 sun_disk_heights;      // direction.y of the disk's lowest visible point and of its top
-uniform sampler2D sun_disk_table;   // radiance along those, reddened by the air before it
+uniform sampler2D sun_disk_table;   // radiance along those, crowded at the lowest, reddened by the air before it
 
 Cone sun_disk() {
     return Cone(sun_disk_middle, sun_disk_one_less_cos);
@@ -12,9 +12,9 @@ Cone sun_disk() {
 
 // 0 off the disk and below the horizon.
 vec3 sun_radiance(vec3 direction) {
-    float height = (direction.y - sun_disk_heights.x) / max(sun_disk_heights.y - sun_disk_heights.x, 1.0e-7);
+    float height = max(direction.y - sun_disk_heights.x, 0.0) / max(sun_disk_heights.y - sun_disk_heights.x, 1.0e-7);
     float columns = float(textureSize(sun_disk_table, 0).x);
-    float across = (0.5 + clamp(height, 0.0, 1.0) * (columns - 1.0)) / columns;
+    float across = (0.5 + sqrt(min(height, 1.0)) * (columns - 1.0)) / columns;
     bool visible = direction.y > sun_disk_heights.x && cone_holds(sun_disk(), direction);
     return visible ? textureLod(sun_disk_table, vec2(across, 0.5), 0.0).rgb : vec3(0.0);
 }

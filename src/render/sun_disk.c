@@ -52,7 +52,7 @@ void sun_disk_radiance(const SunDisk *disk, const Atmosphere *atmosphere, const 
 void sun_disk_table(const SunDisk *disk, const Atmosphere *atmosphere, int count, float *rgba) {
     for (int i = 0; i < count; i++) {
         /* Off the horizon by a hair: there the planet would be in the way, or not, by rounding. */
-        double y = disk->lowest + (disk->top - disk->lowest) * fmax(i, 1e-4) / (count - 1);
+        double at = fmax(i, 1e-2) / (count - 1), y = disk->lowest + (disk->top - disk->lowest) * at * at;
         double level = sqrt(fmax(1 - y * y, 0)), radiance[3];
         const double direction[3] = {level, y, 0};
         radiance_toward(disk, atmosphere, direction, radiance);
@@ -120,7 +120,8 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The disk in level strips: the lines up / middle = const that part them, in the picture. */
+/* The disk in level strips, crowded at the lowest: the lines up / middle = const that part them, in the
+ * picture. */
 typedef struct Strips {
     double line[STRIPS + 1][3];
 } Strips;
@@ -130,7 +131,8 @@ static Strips cut(const SunDisk *disk, const Camera *camera) {
     double elevation = asin(disk->middle[1]), slope = tan(disk->radius);
     double from = fmax(tan(fmin(asin(disk->horizon) - elevation, disk->radius)) / slope, -1);
     for (int k = 0; k <= STRIPS; k++) {
-        double edge = from + (1 - from) * k / STRIPS, plane[3], on_picture[3];
+        double edge = from + (1 - from) * ((double)k / STRIPS) * ((double)k / STRIPS), plane[3],
+               on_picture[3];
         for (int i = 0; i < 3; i++) plane[i] = disk->up[i] - edge * slope * disk->middle[i];
         /* In pixels: the direction of pixel (x, y) is forward + (2 x / width - 1) right + (1 - 2 y / height)
          * up. */
@@ -159,7 +161,8 @@ static void radiance_of(const SunDisk *disk, const Camera *camera, const Polygon
                        (1 - 2 * middle[1] / camera->height) * camera->up[i];
         length2 += direction[i] * direction[i];
     }
-    double at = (direction[1] / sqrt(length2) - disk->lowest) / (disk->top - disk->lowest) * (COLUMNS - 1);
+    double height = (direction[1] / sqrt(length2) - disk->lowest) / (disk->top - disk->lowest);
+    double at = sqrt(fmax(height, 0)) * (COLUMNS - 1);
     double clamped = fmin(fmax(at, 0), COLUMNS - 1.001);
     const float *entry = table + 4 * (int)clamped;
     for (int c = 0; c < 3; c++)

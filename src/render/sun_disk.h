@@ -23,7 +23,8 @@ bool sun_disk_visible(const SunDisk *disk);
 void sun_disk_radiance(const SunDisk *disk, const Atmosphere *atmosphere, const double direction[3],
                        double radiance[3]);
 
-/* Radiances at `count` values of direction.y evenly from lowest to top, four floats each. */
+/* Radiances at `count` values of direction.y from lowest to top, spaced by the square root above the lowest,
+ * where they change most; four floats each. */
 void sun_disk_table(const SunDisk *disk, const Atmosphere *atmosphere, int count, float *rgba);
 
 /* The mean radiance that the unblocked disk gives each pixel of a rectangle, exact to 1e-4: four floats each,
