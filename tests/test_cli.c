@@ -27,7 +27,7 @@ static void test_usage(void **state) {
                    support_path("out.jpg"));
     support_expect(2, "unknown method 'frob' (known: auto, gauss, table, paper, uniform)",
                    "render scenes/crater.glsl --sky frob -o '%s'", out);
-    support_expect(2, "unknown method 'frob' (known: auto, cosine, control, paper)",
+    support_expect(2, "unknown method 'frob' (known: auto, cosine, control, mis, paper)",
                    "render scenes/crater.glsl --light frob -o '%s'", out);
     support_expect(2, "unknown method 'frob' (known: auto, additive, random, sobol)",
                    "render scenes/crater.glsl --sequence frob -o '%s'", out);
@@ -260,9 +260,14 @@ static void test_readme_scene(void **state) {
 static void test_auto(void **state) {
     (void)state;
     const char *out = support_path("auto.exr");
-    support_expect(0, "sky table:gauss:8, light cosine, sequence sobol",
+    support_expect(0, "sky table:gauss:8, sun disk off, light control, sequence sobol",
                    "render scenes/crater.glsl --spp 1 -v -o '%s'", out);
-    support_expect(0, "sky gauss:8,", "render scenes/crater.glsl --size 64x64 --spp 1 -v -o '%s'", out);
+    support_expect(0, "sky gauss:8, sun disk sampled, light cosine,",
+                   "render scenes/crater.glsl --size 64x64 --spp 1 --sun-disk -v -o '%s'", out);
+    support_expect(0, "sun disk off,",
+                   "render scenes/crater.glsl --size 8x8 --spp 1 --sun -1 --sun-disk -v -o '%s'", out);
+    support_expect(0, "sun disk chance,",
+                   "render scenes/crater.glsl --size 8x8 --spp 1 --sun-disk=chance -v -o '%s'", out);
     support_expect(0, "sky gauss:8,",
                    "render scenes/crater.glsl --spp 1 --set atmosphere.observer_height_m=7e4 -v -o '%s'",
                    out);

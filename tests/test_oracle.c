@@ -6,6 +6,7 @@
 #include <string.h>
 
 ORACLE_CASE(atmosphere);
+ORACLE_CASE(mirror_sphere);
 ORACLE_CASE(checker);
 ORACLE_CASE(crater_cosine);
 ORACLE_CASE(crater_paper);
@@ -220,6 +221,30 @@ static void test_checker(void **state) {
     context_close(&context);
 }
 
+/* Alhazen's point, at the sphere and far from it. */
+static void test_mirror_sphere(void **state) {
+    static const OracleQuantity quantities[] = {
+        {"direction x", .result = 0, .condition = 7, .floor = 1, .rms = 1e-6, .worst = 1e-5,
+         .most_set_aside = 0.01},
+        {"direction z", .result = 2, .condition = 7, .floor = 1, .rms = 1e-6, .worst = 1e-5,
+         .most_set_aside = 0.01},
+        {"focus", .result = 3, .condition = 7, .floor = 1e-3, .rms = 1e-5, .worst = 3e-4,
+         .most_set_aside = 0.02, .jump = 1e-3},
+        {"normal y", .result = 5, .condition = 7, .floor = 1, .rms = 1e-6, .worst = 1e-5,
+         .most_set_aside = 0.01},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *point = inputs + 8 * i, *light = point + 4;
+        double r = 1 + pow(10, 4 * random_unit() - 2);
+        set_any_direction(point);
+        set_any_direction(light);
+        for (int c = 0; c < 3; c++) point[c] *= (float)r;
+    }
+    oracle_compare(&context, ORACLE(mirror_sphere), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
 enum { SIDE = 32, PIXELS = SIDE * SIDE };
 
 /* Paths split on an edge: a rounding decides what is hit, and all that follows differs. So pixels are
@@ -271,9 +296,11 @@ static void test_paths(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_phase),     cmocka_unit_test(test_atmosphere), cmocka_unit_test(test_paper),
-        cmocka_unit_test(test_gauss),     cmocka_unit_test(test_shape),      cmocka_unit_test(test_lobes),
-        cmocka_unit_test(test_sequences), cmocka_unit_test(test_checker),    cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_phase),         cmocka_unit_test(test_atmosphere),
+        cmocka_unit_test(test_paper),         cmocka_unit_test(test_gauss),
+        cmocka_unit_test(test_shape),         cmocka_unit_test(test_lobes),
+        cmocka_unit_test(test_mirror_sphere), cmocka_unit_test(test_sequences),
+        cmocka_unit_test(test_checker),       cmocka_unit_test(test_paths),
     };
     return cmocka_run_group_tests_name("oracle", tests, support_folder, support_clean);
 }

@@ -2,6 +2,7 @@
  * other backends, threads and cuts. */
 #include "support.h"
 
+#include "base/file.h"
 #include "image/compare.h"
 #include "render/renderer.h"
 
@@ -56,6 +57,7 @@ static void test_references(void **state) {
         {"--sun 5,90 --spp 256", "crater_el5_azx_sphere_sky.exr", 5, 0.3},
         {"--sun -2 --spp 256 --set ball=0", "crater_el-2_azz_nosphere_sky.exr", 1.5, 0.3},
         {"--sun 5,90 --spp 256 --light control", "crater_el5_azx_sphere_sky.exr", 2.5, 0.1},
+        {"--sun 30 --spp 256 --light mis", "crater_el30_azz_sphere_sky.exr", 1.5, 0.1},
         {"--sun 30 --spp 64 --sky paper:64x16", "crater_el30_azz_sphere_sky.exr", 5, 2},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -77,6 +79,36 @@ static void test_references(void **state) {
     }
 }
 
+/* The same with a sun, which is a point there: no image in the ball, and no caustic, which a scene that does
+ * not name its mirror leaves to a chance that a disk of 0.01 degrees does not give. */
+static void test_sunlit_reference(void **state) {
+    (void)state;
+    Text text = {0}, copy = {0};
+    Image reference;
+    Error error;
+    char arguments[512];
+    assert_true(file_read("scenes/crater.glsl", STATUS_FAILURE, &text, &error));
+    text_append(&text, "", 0);
+    const char *line = strstr(text.data, "//@ mirror-sphere");
+    assert_non_null(line);
+    text_print(&copy, "%.*s%s", (int)(line - text.data), text.data, strchr(line, '\n'));
+    snprintf(arguments, sizeof arguments,
+             "'%s' --depth 8 --size 256x256 --spp 256 --sun 30 --sun-disk --set sun.radius=0.01",
+             support_write("crater.glsl", text_string(&copy)));
+    Image image = render("", arguments);
+    if (!image_read(&reference, "tests/data/crater_el30_azz_sphere_sun.exr", &error))
+        fail_msg("%s", error.text);
+    Comparison c = compare(&image, &reference);
+    print_message("sunlit: relRMSE %.2f %%, bias %+.3f %+.3f %+.3f %%\n", c.rel_rmse_percent,
+                  c.bias_percent[0], c.bias_percent[1], c.bias_percent[2]);
+    assert_true(c.rel_rmse_percent < 2.5);
+    for (int k = 0; k < 3; k++) assert_true(fabs(c.bias_percent[k]) < 0.3);
+    image_free(&image);
+    image_free(&reference);
+    text_free(&text);
+    text_free(&copy);
+}
+
 /* The table's own error in a picture: the same paths with the same sky, asked anew for each. */
 static void test_table_in_picture(void **state) {
     (void)state;
@@ -85,7 +117,7 @@ static void test_table_in_picture(void **state) {
         char arguments[2][256];
         for (int direct = 0; direct < 2; direct++) {
             snprintf(arguments[direct], sizeof arguments[direct],
-                     "scenes/crater.glsl --size 256x256 --spp 16 --sun %s --sky %s", suns[i],
+                     "scenes/crater.glsl --size 256x256 --spp 16 --light cosine --sun %s --sky %s", suns[i],
                      direct ? "gauss:8" : "table");
         }
         Image table = render("", arguments[0]), direct = render("", arguments[1]);
@@ -100,7 +132,10 @@ static void test_table_in_picture(void **state) {
 /* All albedos 1 in surroundings of radiance 1, unlimited depth: every pixel is 1. */
 static void test_furnace(void **state) {
     (void)state;
-    static const char *const methods[] = {"--light control", "--light cosine", "--light paper",
+    static const char *const methods[] = {"--light control",
+                                          "--light cosine",
+                                          "--light paper",
+                                          "--light mis",
                                           "--light cosine --sequence random",
                                           "--light control --sequence additive"};
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
@@ -115,7 +150,9 @@ static void test_furnace(void **state) {
             assert_true(image.rgba[4 * k] == image.rgba[4 * k + 2]);
         }
         print_message("furnace, %s: mean %.6f, worst pixel %.4f off\n", methods[i], mean, worst);
-        assert_true(fabs(mean - 1) < 1e-3 && worst < 0.1);
+        /* mis weighs its bounces by 0 to 2, and long paths multiply that. */
+        bool weighed = strstr(methods[i], "mis") != NULL;
+        assert_true(weighed ? fabs(mean - 1) < 4e-3 && worst < 2 : fabs(mean - 1) < 1e-3 && worst < 0.1);
         image_free(&image);
     }
     /* Without long paths there is no roulette, and nothing is left to chance: a mirror alone is 1 to the last
@@ -126,6 +163,35 @@ static void test_furnace(void **state) {
         assert_true(value == 0 || fabsf(value - 1) < 1e-6f || (value > 0 && value < 1));
     }
     image_free(&image);
+}
+
+/* Mirrors of albedo 1 on all sides but one lose nothing: each pixel is 1 but for what roulette does to the
+ * few long paths. */
+static void test_mirror_room(void **state) {
+    (void)state;
+    const char *scene = support_write(
+        "mirrors.glsl",
+        "//@ camera eye 0 0.5 0 target 0 0.4 1 fov 100\n#include \"material/mirror.glsl\"\n#include "
+        "\"shape/plane.glsl\"\n"
+        "#include \"shape/sphere.glsl\"\nvoid scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
+        "    hit_plane(ray, vec3(0, 1, 0), 0.0, 0, hit);\n    hit_plane(ray, vec3(1, 0, 0), -1.0, 0, hit);\n"
+        "    hit_plane(ray, vec3(-1, 0, 0), -1.0, 0, hit);\n    hit_plane(ray, vec3(0, 0, -1), -2.0, 0, "
+        "hit);\n"
+        "    hit_plane(ray, vec3(0, 0, 1), -2.0, 0, hit);\n    hit_sphere(ray, vec3(0, 0.3, 1), 0.3, 0, "
+        "hit);\n}\n"
+        "Material scene_material(Hit hit) { return mirror(vec3(1)); }\n");
+    static const char *const methods[] = {"cosine", "control", "mis"};
+    for (int i = 0; i < 3; i++) {
+        char arguments[512];
+        double mean = 0;
+        snprintf(arguments, sizeof arguments, "'%s' --sky uniform --size 64x64 --spp 256 --light %s", scene,
+                 methods[i]);
+        Image image = render("", arguments);
+        for (int k = 0; k < 64 * 64; k++) mean += (double)image.rgba[4 * k] / (64 * 64);
+        print_message("mirror room, %s: mean %.6f\n", methods[i], mean);
+        assert_true(fabs(mean - 1) < 1e-3);
+        image_free(&image);
+    }
 }
 
 /* A bowl of half a sphere sees half of itself and half of the sky from each of its points. With albedo a
@@ -309,11 +375,17 @@ static void test_nonfinite(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_references),       cmocka_unit_test(test_table_in_picture),
-        cmocka_unit_test(test_furnace),          cmocka_unit_test(test_bowl),
+        cmocka_unit_test(test_references),
+        cmocka_unit_test(test_sunlit_reference),
+        cmocka_unit_test(test_table_in_picture),
+        cmocka_unit_test(test_furnace),
+        cmocka_unit_test(test_mirror_room),
+        cmocka_unit_test(test_bowl),
         cmocka_unit_test(test_seeds),
-        cmocka_unit_test(test_threads_agree),    cmocka_unit_test(test_second_driver),
-        cmocka_unit_test(test_backends_agree),   cmocka_unit_test(test_cuts_agree),
+        cmocka_unit_test(test_threads_agree),
+        cmocka_unit_test(test_second_driver),
+        cmocka_unit_test(test_backends_agree),
+        cmocka_unit_test(test_cuts_agree),
         cmocka_unit_test(test_nonfinite),
     };
     return cmocka_run_group_tests_name("picture", tests, support_folder, support_clean);

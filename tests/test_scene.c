@@ -261,7 +261,7 @@ static void test_materials(void **state) {
     const char *text = text_string(&source.text);
     assert_non_null(strstr(text, "const int MATERIAL_MATTE = 0;"));
     assert_non_null(strstr(text, "const int MATERIAL_MIRROR = 1;"));
-    assert_non_null(strstr(text, "if (material.kind == 0) return matte_sample("));
+    assert_non_null(strstr(text, "if (material.kind == 0)\n        return matte_sample("));
     assert_null(strstr(text, "checker"));
     glsl_source_destroy(&source);
 }

@@ -39,9 +39,13 @@ check() {
 }
 for scene in scenes/*.glsl; do
     for sky in table gauss:4 gauss:12 paper uniform; do check "$scene" --sky $sky; done
+    check "$scene" --sun-disk=chance
     for sky in table gauss paper; do check "$scene" --sky $sky --atmosphere earth; done
     for sequence in sobol additive random; do
-        for light in control paper cosine; do check "$scene" --light $light --sequence $sequence; done
+        for light in control mis paper cosine; do
+            check "$scene" --light $light --sequence $sequence
+            check "$scene" --light $light --sequence $sequence --sun-disk
+        done
     done
 done
 

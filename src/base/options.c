@@ -177,7 +177,9 @@ static const Option table[] = {
     TAKE("--set", "NAME=VALUE", R | S | F | I, take_setting,
          "a scene's parameter, sun.elevation, atmosphere.mie_g, ...; may be repeated"),
     STRING("--sky", "METHOD", R | F | S, sky, "table[:METHOD], gauss[:n], paper[:NxM] or uniform[:L]"),
-    STRING("--light", "METHOD", R | F, light, "cosine, control or paper; cosine by default"),
+    STRING("--light", "METHOD", R | F, light,
+           "control, cosine, mis or paper; control where the sky is a table and the scene has bounds, else "
+           "cosine"),
     STRING("--sequence", "METHOD", R | F, sequence, "sobol, additive or random; sobol by default"),
     TAKE("--spp", "N", R, take_samples, "samples per pixel; 64 by default"),
     TAKE("--time", "SECONDS", R, take_seconds, "stop after this time, with whole groups of samples"),

@@ -44,3 +44,9 @@ MUST_CHECK bool method_choose(MethodChoice *choice, MethodFamily family, const c
  * one, or where the observer is above the air and the table is coarse. */
 MUST_CHECK bool method_choose_sky(MethodChoice *choice, const char *text, double paths, bool above_air,
                                   Error *error);
+
+/* The light method for `text` NULL or "auto": control where the sky is a table and the scene says what may
+ * block it
+ * (`bounds`), else cosine. */
+MUST_CHECK bool method_choose_light(MethodChoice *choice, const char *text, bool table, bool bounds,
+                                    Error *error);

@@ -68,7 +68,8 @@ static bool choose_methods(Methods *methods, const RenderParams *params, int wid
         error->status = STATUS_SCENE;
         return error_prefix(error, "%s:%d: ", scene->path, scene->sky_line);
     }
-    return method_choose(&methods->light, METHOD_LIGHT, params->light, error) &&
+    return method_choose_light(&methods->light, params->light, methods->sky.table, scene->bound_count > 0,
+                               error) &&
            method_choose(&methods->sequence, METHOD_SEQUENCE, params->sequence, error) &&
            sun_choose(&methods->sun, params->sun_disk, scene, error);
 }

@@ -78,7 +78,7 @@ static void generate_dispatch(GlslSource *source, const char *type, const char *
     text_print(text, "%s material_%s(Material material, vec3 normal, vec3 incoming, %s) {\n", type, verb,
                parameters);
     for (int i = 0; i < source->material_count; i++) {
-        if (i + 1 < source->material_count) text_print(text, "    if (material.kind == %d)", i);
+        if (i + 1 < source->material_count) text_print(text, "    if (material.kind == %d)\n    ", i);
         text_print(text, "    return %s_%s(material, normal, incoming, %s);\n", source->materials[i], verb,
                    arguments);
     }

@@ -3,8 +3,8 @@
  *   #include "shape/sphere.glsl"   a file beside the including one, else in the GLSL library; each file once
  *   #include <sky>                 a slot: the file that the host chose for that name
  *   #include <scene>               the same, but always the user's own file, never one of the library's
- *   #include <materials>           written here: material_sample(), a call for each material/ file included
- * so far
+ *   #include <materials>           written here: material_sample(), _pdf() and _value(), a call for each
+ * material/ file included so far
  *
  * A file in a folder named material/ gets a number when it is included, MATERIAL_MATTE for
  * material/matte.glsl. So a new method or material is a new file, and what is not included is not compiled.
