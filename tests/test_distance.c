@@ -133,9 +133,224 @@ static void test_exact(void **state) {
     context_close(&context);
 }
 
+/* c = march's t, the exact t, what was broken and cut; d = difference of the normals, cosine of incidence,
+ * evaluations. The shape is `words` of the shapes' `name`; its field is multiplied by `factor`. */
+static void march_beside_exact(const char *name, const char *words, double factor, const char *bound) {
+    char declarations[2048], body[2048];
+    snprintf(declarations, sizeof declarations,
+             "#include \"shape/%s.glsl\"\n#include \"distance/%s.glsl\"\n#include \"shape/march.glsl\"\n"
+             "int evaluations = 0;\n"
+             "float scene_distance(vec3 p) { evaluations++; return float(%f) * distance_%s(p, %s); }\n",
+             name, name, factor, name, words);
+    snprintf(body, sizeof body,
+             "Ray ray = Ray(p, direction);\n"
+             "    Hit exact = hit_none(), marched = hit_none();\n"
+             "    hit_%s(ray, %s, 1, exact);\n    march(ray, %s 1, marched);\n"
+             "    c = vec4(marched.t / s, exact.t / s, march_broken, march_cut);\n"
+             "    d = vec4(length(marched.normal - exact.normal), dot(exact.normal, ray.direction), "
+             "evaluations, 0.0);",
+             name, words, bound);
+    evaluate(declarations, body);
+}
+
+typedef struct Marched {
+    int hits, differ, wrong_normals, broken, cut, most;
+    double worst, evaluations;
+} Marched;
+
+static Marched compare_march(const char *name, double reach_bias) {
+    Marched m = {0};
+    for (int i = 0; i < ITEMS; i++) {
+        const float *c = results + 8 * i, *d = c + 4;
+        double scale = (double)inputs[8 * i + 3], size = 0;
+        m.broken += c[2] > 0, m.cut += c[3] > 0;
+        m.evaluations += (double)d[2] / ITEMS;
+        if (d[2] > (float)m.most) m.most = (int)d[2];
+        bool hit = c[0] < 1e20f, exact = (double)c[1] * scale < 9e5;
+        if (hit != exact) m.differ++;
+        if (!hit || !exact) continue;
+        for (int k = 0; k < 3; k++) size = fmax(size, fabs((double)inputs[8 * i + k]) / scale);
+        double off = fabs((double)c[0] - (double)c[1]) * fmax(fabs((double)d[1]), 1e-3);
+        double error = off / (reach_bias + size + (double)c[1]);
+        m.hits++;
+        /* Past an edge, a rounding decides which face is seen. */
+        if (d[0] > 3e-3f)
+            m.wrong_normals++;
+        else if (error > 3e-6)
+            m.differ++;
+        else
+            m.worst = fmax(m.worst, error);
+    }
+    print_message(
+        "%s: %d hits, largest error %.1e, %d differ, %d normals; %.1f evaluations, at most %d; %d broken, "
+        "%d cut\n",
+        name, m.hits, m.worst, m.differ, m.wrong_normals, m.evaluations, m.most, m.broken, m.cut);
+    return m;
+}
+
+/* The march finds what the exact shapes find, at millimetres, metres and 10 km, from outside and inside. */
+static void test_march(void **state) {
+    static const double reaches[] = {1.2, 4, 30};
+    start(state);
+    for (int k = 0; k < SHAPES; k++) {
+        if (strcmp(shapes[k].name, "disk") == 0) continue;
+        make_inputs(reaches, 3, 3);
+        march_beside_exact(shapes[k].name, shapes[k].words, 1, "");
+        Marched m = compare_march(shapes[k].name, 1);
+        assert_true(m.hits > ITEMS / 16 && m.differ <= ITEMS / 500 && m.wrong_normals <= m.hits / 100);
+        assert_true(m.worst < 3e-6 && m.broken == 0 &&
+                    m.cut < ITEMS / (strcmp(shapes[k].name, "plane") == 0 ? 20 : 200));
+    }
+    context_close(&context);
+}
+
+static void test_march_in_bound(void **state) {
+    static const double reaches[] = {1.2, 4, 30};
+    start(state);
+    make_inputs(reaches, 3, 3);
+    march_beside_exact("box", shapes[2].words, 1, "");
+    Marched all = compare_march("box", 1);
+    march_beside_exact("box", shapes[2].words, 1, CENTRE ", s * 1.29,");
+    Marched m = compare_march("box in its bound", 1);
+    assert_true(m.hits > ITEMS / 4 && m.differ <= ITEMS / 500 && m.broken == 0);
+    assert_true(m.evaluations < 0.8 * all.evaluations);
+    context_close(&context);
+}
+
+/* A field that is no distance leaves no holes, and is told. */
+static void test_steep(void **state) {
+    static const double reaches[] = {1.2, 4};
+    start(state);
+    for (int k = 0; k < SHAPES; k++) {
+        if (strcmp(shapes[k].name, "disk") == 0) continue;
+        make_inputs(reaches, 2, 3);
+        march_beside_exact(shapes[k].name, shapes[k].words, 3, "");
+        Marched m = compare_march(shapes[k].name, 1);
+        /* The thin ring is leapt over before it is known. */
+        assert_true(m.broken >= m.hits &&
+                    m.differ <= m.hits / (strcmp(shapes[k].name, "torus") == 0 ? 4 : 100));
+    }
+    context_close(&context);
+}
+
+/* Rays that leave a marched surface: into all directions from where camera rays hit, into the solid too, they
+ * meet what the exact shape meets, and never the place that they leave. */
+static void test_leave(void **state) {
+    static const double reaches[] = {1.2, 4, 30};
+    static const int kept[] = {0, 1, 2, 3, 6, 8};
+    start(state);
+    for (size_t k = 0; k < sizeof kept / sizeof *kept; k++) {
+        char declarations[2048], body[2048];
+        const struct Shape *shape = &shapes[kept[k]];
+        int left = 0, caught = 0, differ = 0, broken = 0;
+        make_inputs(reaches, 3, 3);
+        snprintf(declarations, sizeof declarations,
+                 "#include \"shape/%s.glsl\"\n#include \"distance/%s.glsl\"\n#include \"shape/march.glsl\"\n"
+                 "float scene_distance(vec3 p) { return distance_%s(p, %s); }\n",
+                 shape->name, shape->name, shape->name, shape->words);
+        snprintf(body, sizeof body,
+                 "Ray ray = Ray(p, direction);\n    Hit hit = hit_none(), exact = hit_none(), marched = "
+                 "hit_none();\n"
+                 "    march(ray, 1, hit);\n    if (hit.t >= INFINITY) return vec4(0.0);\n"
+                 "    hit.position = p + hit.t * direction;\n"
+                 "    vec3 around = normalize(fract(vec3(other, 7.0 * other, 49.0 * other)) - 0.5);\n"
+                 "    hit.normal = dot(hit.normal, around) < 0.0 ? -hit.normal : hit.normal;\n"
+                 "    Ray onward = ray_from(hit, around);\n"
+                 "    hit_%s(onward, %s, 1, exact);\n    march(onward, 1, marched);\n"
+                 "    float size = s + march_size(onward.origin) + hit.t;\n"
+                 "    c = vec4(marched.t / size, exact.t / size, dot(around, hit.normal), 1.0);\n"
+                 "    d = vec4(march_broken, march_cut, 0.0, 0.0);\n",
+                 shape->name, shape->words);
+        evaluate(declarations, body);
+        for (int i = 0; i < ITEMS; i++) {
+            const float *c = results + 8 * i;
+            left += c[3] > 0;
+            broken += c[4] > 0;
+            if (c[3] == 0 || c[2] < 0.02f || c[1] * inputs[8 * i + 3] > 1e4f) continue;
+            if (c[0] < 1e-4f && c[1] > 1e-3f) caught++;
+            if ((c[0] < 1e20f) != (c[1] < 1e20f) || (c[0] < 1e20f && fabsf(c[0] - c[1]) > 1e-3f)) differ++;
+        }
+        print_message("%s: %d left, %d caught, %d differ, %d broken\n", shape->name, left, caught, differ,
+                      broken);
+        assert_true(left > ITEMS / 16 && caught == 0 && differ <= left / 200 && broken == 0);
+    }
+    context_close(&context);
+}
+
+/* Over a plane to its horizon: every ray below it hits, at the right place, and those that took all their
+ * steps are counted. */
+static void test_grazing(void **state) {
+    start(state);
+    int cut = 0;
+    for (int i = 0; i < ITEMS; i++) {
+        double slope = 0.3 * pow(10, -5.0 * i / ITEMS), scale = i % 2 ? 1 : 1e-3;
+        const double point[3] = {0.3 * scale, 1.7 * scale, -2 * scale};
+        for (int c = 0; c < 3; c++) inputs[8 * i + c] = (float)point[c];
+        inputs[8 * i + 3] = (float)scale;
+        inputs[8 * i + 4] = (float)(0.6 * sqrt(1 - slope * slope)), inputs[8 * i + 5] = (float)-slope;
+        inputs[8 * i + 6] = (float)(0.8 * sqrt(1 - slope * slope));
+    }
+    evaluate("#include \"distance/plane.glsl\"\n#include \"shape/march.glsl\"\n"
+             "float scene_distance(vec3 p) { return distance_plane(p, vec3(0.0, 1.0, 0.0), 0.0); }\n",
+             "Hit hit = hit_none();\n    march(Ray(p, direction), 1, hit);\n"
+             "    c = vec4(hit.t / s, hit.normal);\n    d = vec4(march_broken, march_cut, 0.0, 0.0);\n");
+    for (int i = 0; i < ITEMS; i++) {
+        const float *c = results + 8 * i;
+        double t = (double)c[0], height = 1.7 + t * (double)inputs[8 * i + 5];
+        if (!(fabs(height) < 1e-6 * t))
+            fail_msg("slope %g: %g over the plane at %g", (double)inputs[8 * i + 5], height, t);
+        assert_true(c[2] > 0.99999f && c[4] == 0);
+        cut += c[5] > 0;
+        if (inputs[8 * i + 5] < -0.05f) assert_true(c[5] == 0);
+    }
+    print_message("%d of %d cut\n", cut, ITEMS);
+    assert_true(cut > ITEMS / 4);
+    context_close(&context);
+}
+
+/* Boards a millimetre thick, seen along: rays that reach one hit it, however long they ran beside others. */
+static void test_fence(void **state) {
+    start(state);
+    int hits = 0, differ = 0, cut = 0;
+    for (int i = 0; i < ITEMS; i++) {
+        float *point = inputs + 8 * i, *direction = point + 4;
+        double target[3] = {6 * random_unit() - 3, 1.2 * random_unit(), 10 * random_unit()}, v[3];
+        point[0] = (float)(8 * random_unit() - 4), point[1] = (float)random_unit(), point[2] = -3,
+        point[3] = 1;
+        for (int c = 0; c < 3; c++) v[c] = target[c] - (double)point[c];
+        for (int c = 0; c < 3; c++) direction[c] = (float)(v[c] / length3(v));
+    }
+    evaluate(
+        "#include \"distance/box.glsl\"\n#include \"distance/repeat.glsl\"\n#include \"shape/box.glsl\"\n"
+        "#include \"shape/march.glsl\"\n"
+        "const vec3 SPACING = vec3(0.5, 0.0, 0.5), COUNT = vec3(6.0, 0.0, 7.0), SIZE = vec3(0.0005, 1.0, "
+        "0.1);\n"
+        "float scene_distance(vec3 p) {\n    float d = INFINITY;\n    for (int i = 0; i < 4; i++)\n"
+        "        d = min(d, distance_box(repeat_cell(p, SPACING, COUNT, i), vec3(0.0), SIZE));\n    return "
+        "d;\n}\n",
+        "Ray ray = Ray(p, direction);\n    Hit hit = hit_none(), exact = hit_none();\n    march(ray, 1, "
+        "hit);\n"
+        "    for (int x = 0; x < 6; x++) for (int z = 0; z < 7; z++)\n"
+        "        hit_box(ray, vec3(0.5 * float(x) - 1.25, 0.0, 0.5 * float(z) - 1.5), SIZE, 1, exact);\n"
+        "    c = vec4(hit.t, exact.t, length(hit.normal - exact.normal), 0.0);\n"
+        "    d = vec4(march_broken, march_cut, 0.0, 0.0);\n");
+    for (int i = 0; i < ITEMS; i++) {
+        const float *c = results + 8 * i;
+        hits += c[1] < 1e20f;
+        if ((c[0] < 1e20f) != (c[1] < 1e20f) || (c[0] < 1e20f && fabsf(c[0] - c[1]) > 1e-4f)) differ++;
+        cut += c[5] > 0;
+        assert_true(c[4] == 0);
+    }
+    print_message("%d hits, %d differ, %d cut\n", hits, differ, cut);
+    assert_true(hits > ITEMS / 8 && differ <= hits / 500 && cut <= ITEMS / 100);
+    context_close(&context);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_exact),
+        cmocka_unit_test(test_exact), cmocka_unit_test(test_march), cmocka_unit_test(test_march_in_bound),
+        cmocka_unit_test(test_steep), cmocka_unit_test(test_leave), cmocka_unit_test(test_grazing),
+        cmocka_unit_test(test_fence),
     };
     return cmocka_run_group_tests_name("distance", tests, support_folder, support_clean);
 }
