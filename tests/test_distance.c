@@ -31,7 +31,7 @@ static double length3(const double v[3]) {
 
 /* `declarations` go before main; `body` takes p, s, direction, other and sets c and d. */
 static void evaluate(const char *declarations, const char *body) {
-    static char glsl[8192];
+    static char glsl[16384];
     snprintf(glsl, sizeof glsl,
              "uniform sampler2D inputs;\nfloat s;\n%s\n"
              "vec4 evaluate(vec2 t) {\n"
@@ -199,7 +199,7 @@ static void test_march(void **state) {
         Marched m = compare_march(shapes[k].name, 1);
         assert_true(m.hits > ITEMS / 16 && m.differ <= ITEMS / 500 && m.wrong_normals <= m.hits / 100);
         assert_true(m.worst < 3e-6 && m.broken == 0 &&
-                    m.cut < ITEMS / (strcmp(shapes[k].name, "plane") == 0 ? 20 : 200));
+                    m.cut < ITEMS / (strcmp(shapes[k].name, "plane") == 0 ? 20 : 1000));
     }
     context_close(&context);
 }
@@ -227,7 +227,7 @@ static void test_steep(void **state) {
         march_beside_exact(shapes[k].name, shapes[k].words, 3, "");
         Marched m = compare_march(shapes[k].name, 1);
         /* The thin ring is leapt over before it is known. */
-        assert_true(m.broken >= m.hits &&
+        assert_true(m.broken > ITEMS * 4 / 5 &&
                     m.differ <= m.hits / (strcmp(shapes[k].name, "torus") == 0 ? 4 : 100));
     }
     context_close(&context);
@@ -297,7 +297,7 @@ static void test_grazing(void **state) {
     for (int i = 0; i < ITEMS; i++) {
         const float *c = results + 8 * i;
         double t = (double)c[0], height = 1.7 + t * (double)inputs[8 * i + 5];
-        if (!(fabs(height) < 1e-6 * t))
+        if (!(fabs(height) < 3.2e-7 * t))
             fail_msg("slope %g: %g over the plane at %g", (double)inputs[8 * i + 5], height, t);
         assert_true(c[2] > 0.99999f && c[4] == 0);
         cut += c[5] > 0;
@@ -346,11 +346,102 @@ static void test_fence(void **state) {
     context_close(&context);
 }
 
+/* Operators beside the same solid said otherwise; and none changes faster than a metre a metre, which with
+ * the right surface makes it never more than the distance. `other` of the inputs is random. */
+static void test_operators(void **state) {
+    static const double reaches[] = {1.2, 4};
+    static const struct {
+        const char *name, *got, *expected; /* as much, or where `mode` is -1 less */
+        int mode;
+    } cases[] = {
+        {"translation", "distance_box(op_translate(p, s * A), vec3(0), s * B)",
+         "distance_box(p, s * A, s * B)", 0},
+        {"rotation", "distance_capsule(op_rotate(p, N, 0.7), vec3(0), s * A, s * 0.2)",
+         "distance_capsule(p, vec3(0), s * turned(A), s * 0.2)", 0},
+        {"scale", "2.5 * distance_box(op_scale(p, 2.5), s * A, s * B)",
+         "distance_box(p, 2.5 * s * A, 2.5 * s * B)", 0},
+        {"elongation", "distance_sphere(op_elongate(p, s * vec3(0, 0.5, 0)), vec3(0), s * 0.3)",
+         "distance_capsule(p, s * vec3(0, -0.5, 0), s * vec3(0, 0.5, 0), s * 0.3)", 0},
+        {"rounding", "op_round(distance_box(p, s * A, s * B), s * 0.1)",
+         "distance_rounded_box(p, s * A, s * (B + 0.1), s * 0.1)", 0},
+        {"shell", "op_shell(distance_sphere(p, s * A, s), s * 0.2)",
+         "max(distance_sphere(p, s * A, s * 1.1), -distance_sphere(p, s * A, s * 0.9))", 0},
+        {"union", "op_union(BOX, BALL)", "box_or_ball(p)", 0},
+        {"intersection", "op_intersection(BOX, BALL)", "-op_union(op_inverse(BOX), op_inverse(BALL))", 0},
+        {"subtraction", "op_subtraction(BOX, BALL)", "op_intersection(BOX, op_inverse(BALL))", 0},
+        {"smooth union", "op_smooth_union(BOX, BALL, s * 0.3)", "op_union(BOX, BALL)", -1},
+        {"smooth intersection", "-op_smooth_intersection(BOX, BALL, s * 0.3)", "-op_intersection(BOX, BALL)",
+         -1},
+        {"smooth subtraction", "-op_smooth_subtraction(BOX, BALL, s * 0.3)", "-op_subtraction(BOX, BALL)",
+         -1},
+        {"sharp smooth union", "op_smooth_union(BOX, BALL, 0.0)", "op_union(BOX, BALL)", 0},
+        {"row", "row(p)", "copies(p, ivec3(5, 1, 1))", 0},
+        {"lattice", "lattice(p)", "copies(p, ivec3(4, 3, 2))", 0},
+        {"endless row", "endless(p)", "copies(p, ivec3(33, 1, 1))", 0},
+    };
+    static const char *declarations =
+        "#include \"distance/boolean.glsl\"\n#include \"distance/box.glsl\"\n#include "
+        "\"distance/capsule.glsl\"\n"
+        "#include \"distance/elongate.glsl\"\n#include \"distance/move.glsl\"\n#include "
+        "\"distance/offset.glsl\"\n"
+        "#include \"distance/repeat.glsl\"\n#include \"distance/rounded_box.glsl\"\n#include "
+        "\"distance/smooth.glsl\"\n"
+        "#include \"distance/sphere.glsl\"\n"
+        "const vec3 A = vec3(0.3, -0.2, 0.5), B = vec3(0.4, 0.7, 0.2), N = vec3(0.48, 0.6, 0.64);\n"
+        "const vec3 GAP = vec3(0.7, 0.9, 1.1);\n"
+        "#define BOX distance_box(p, s * A, s * B)\n#define BALL distance_sphere(p, vec3(0), s * 0.5)\n"
+        "float box_or_ball(vec3 p) { float a = BOX, b = BALL; return a < b ? a : b; }\n"
+        "vec3 turned(vec3 v) { // N is the third of a right-handed frame\n"
+        "    vec3 x = normalize(v - dot(v, N) * N), y = cross(N, x);\n"
+        "    return dot(v, N) * N + length(v - dot(v, N) * N) * (cos(0.7) * x + sin(0.7) * y); }\n"
+        "/* off the middle of its cell */\n"
+        "float one(vec3 p) { return distance_box(p, s * vec3(0.15, -0.1, 0.2), s * vec3(0.15, 0.25, 0.3)); "
+        "}\n"
+        "float copies(vec3 p, ivec3 n) {\n    float d = 1e30;\n"
+        "    for (int x = 0; x < n.x; x++) for (int y = 0; y < n.y; y++) for (int z = 0; z < n.z; z++)\n"
+        "        d = min(d, one(p - s * GAP * (vec3(x, y, z) - 0.5 * vec3(n - 1))));\n    return d;\n}\n"
+        "float row(vec3 p) { float d = 1e30;\n    for (int i = 0; i < 2; i++)\n"
+        "        d = min(d, one(repeat_cell(p, s * vec3(GAP.x, 0, 0), vec3(5, 0, 0), i)));\n    return "
+        "d;\n}\n"
+        "float lattice(vec3 p) { float d = 1e30;\n    for (int i = 0; i < 8; i++)\n"
+        "        d = min(d, one(repeat_cell(p, s * GAP, vec3(4, 3, 2), i)));\n    return d;\n}\n"
+        "float endless(vec3 p) { float d = 1e30;\n    for (int i = 0; i < 2; i++)\n"
+        "        d = min(d, one(repeat_cell(p, s * vec3(GAP.x, 0, 0), vec3(0), i)));\n    return d;\n}\n";
+    start(state);
+    make_inputs(reaches, 2, 3);
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        char all[8192], body[1024];
+        double worst = 0, steepest = 0, band = 0;
+        snprintf(all, sizeof all,
+                 "%s\nfloat got(vec3 p) { return %s; }\nfloat expected(vec3 p) { return %s; }\n",
+                 declarations, cases[k].got, cases[k].expected);
+        snprintf(body, sizeof body,
+                 "vec3 q = p + 0.3 * s * other * direction;\n"
+                 "    c = vec4(got(p) / s, expected(p) / s, (got(q) - got(p)) / length(q - p), 0.0);\n");
+        evaluate(all, body);
+        for (int i = 0; i < ITEMS; i++) {
+            const float *c = results + 8 * i;
+            double error = (double)c[0] - (double)c[1];
+            if (inputs[8 * i + 7] > 0.01f) steepest = fmax(steepest, fabs((double)c[2]));
+            if (cases[k].mode == 0)
+                worst = fmax(worst, fabs(error));
+            else
+                worst = fmax(worst, error), band = fmax(band, -error);
+        }
+        print_message("%s: largest error %.1e, steepness to %.5f, band %.4f\n", cases[k].name, worst,
+                      steepest, band);
+        assert_true(worst < 3e-6 && steepest < 1.0005);
+        /* A quarter of k, where both are as far. */
+        if (cases[k].mode) assert_true(band > 0.06 && band < 0.075001);
+    }
+    context_close(&context);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_exact), cmocka_unit_test(test_march), cmocka_unit_test(test_march_in_bound),
-        cmocka_unit_test(test_steep), cmocka_unit_test(test_leave), cmocka_unit_test(test_grazing),
-        cmocka_unit_test(test_fence),
+        cmocka_unit_test(test_exact),          cmocka_unit_test(test_operators), cmocka_unit_test(test_march),
+        cmocka_unit_test(test_march_in_bound), cmocka_unit_test(test_steep),     cmocka_unit_test(test_leave),
+        cmocka_unit_test(test_grazing),        cmocka_unit_test(test_fence),
     };
     return cmocka_run_group_tests_name("distance", tests, support_folder, support_clean);
 }

@@ -116,12 +116,13 @@ float march_along(Ray ray, float start, float end, OUT(float) field) {
 
 void march_between(Ray ray, float start, float end, int object, INOUT(Hit) hit) {
     float field = 0.0;
+    int broken = march_broken;
     float t = march_along(ray, start, min(min(end, hit.t), MARCH_FAR), field);
     if (t < INFINITY) {
         vec3 p = ray.origin + t * ray.direction;
         vec3 gradient = march_gradient(p, MARCH_NORMAL_STEP * max(march_size(p), 0.25 * t));
         float steepness = length(gradient);
-        if (steepness > MARCH_STEEP) march_broken += 1;
+        if (steepness > MARCH_STEEP) march_broken = broken + 1;
         // What is left to the surface, along the tangent: much at grazing incidence.
         float slope = dot(gradient, ray.direction);
         float reach = 64.0 * MARCH_PRECISION * (march_size(p) + t);
