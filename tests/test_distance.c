@@ -297,7 +297,9 @@ static void test_grazing(void **state) {
     for (int i = 0; i < ITEMS; i++) {
         const float *c = results + 8 * i;
         double t = (double)c[0], height = 1.7 + t * (double)inputs[8 * i + 5];
-        if (!(fabs(height) < 3.2e-7 * t))
+        /* Nearer by the tangent than the march itself ends, where that is not past what the tangent is
+         * trusted for. */
+        if (!(fabs(height) < (inputs[8 * i + 5] < -0.02f ? 2.5e-7 : 1e-6) * t))
             fail_msg("slope %g: %g over the plane at %g", (double)inputs[8 * i + 5], height, t);
         assert_true(c[2] > 0.99999f && c[4] == 0);
         cut += c[5] > 0;
