@@ -1,0 +1,38 @@
+#include "shape/interval.glsl"
+
+// Where a ray is within a cone that goes on for ever from its tip along `axis`, both of unit length, `spread` wide by a metre;
+// `from_tip` to the ray's origin.
+Interval interval_cone(vec3 from_tip, vec3 direction, vec3 axis, float spread) {
+    float height = dot(from_tip, axis);
+    float climb = dot(direction, axis);
+    vec3 from_axis = from_tip - height * axis;
+    vec3 across = direction - climb * axis;
+    // a t^2 + 2 b t + c <= 0 in the cone and in its mirror image beyond the tip
+    float a = dot(across, across) - spread * spread * climb * climb;
+    float b = dot(from_axis, across) - spread * spread * height * climb;
+    float c = dot(from_axis, from_axis) - spread * spread * height * height;
+    float discriminant = b * b - a * c;
+    if (discriminant < 0.0 && a > 0.0) return interval_none();
+    float sum = b >= 0.0 ? -b - sqrt(max(discriminant, 0.0)) : -b + sqrt(max(discriminant, 0.0));
+    float one = sum / (abs(a) > 1.0e-20 ? a : 1.0e-20);
+    float other = sum != 0.0 ? c / sum : 0.0;
+    float first = clamp(min(one, other), -1.0e20, 1.0e20);
+    float last = clamp(max(one, other), -1.0e20, 1.0e20);
+    float enter = a > 0.0 ? first : (climb > 0.0 ? last : -1.0e20);
+    float leave = a > 0.0 ? last : (climb > 0.0 ? 1.0e20 : first);
+    vec3 at_enter = from_axis + enter * across;
+    vec3 at_leave = from_axis + leave * across;
+    return Interval(enter, leave, at_enter - spread * length(at_enter) * axis, at_leave - spread * length(at_leave) * axis);
+}
+
+// A solid cone from the middle of its base to its tip, `radius` wide at the base; seen from outside or inside.
+void hit_cone(Ray ray, vec3 base, vec3 tip, float radius, int object, INOUT(Hit) hit) {
+    vec3 to_centre = 0.5 * (base + tip) - ray.origin;
+    float middle = dot(to_centre, ray.direction);
+    vec3 near = middle * ray.direction - to_centre;
+    float height = length(base - tip);
+    vec3 axis = (base - tip) / height;
+    Interval side = interval_cone(near + 0.5 * height * axis, ray.direction, axis, radius / height);
+    Interval ends = interval_slab(dot(near, axis), dot(ray.direction, axis), 0.5 * height, axis);
+    hit_interval(interval_both(side, ends), middle, object, hit);
+}

@@ -1,0 +1,13 @@
+#include "shape/interval.glsl"
+
+// A solid cylinder from the middle of one end to that of the other; seen from outside or inside.
+void hit_cylinder(Ray ray, vec3 end, vec3 other_end, float radius, int object, INOUT(Hit) hit) {
+    vec3 to_centre = 0.5 * (end + other_end) - ray.origin;
+    float middle = dot(to_centre, ray.direction);
+    vec3 near = middle * ray.direction - to_centre;
+    float height = length(other_end - end);
+    vec3 axis = (other_end - end) / height;
+    Interval side = interval_cylinder(-near, ray.direction, axis, radius);
+    Interval ends = interval_slab(dot(near, axis), dot(ray.direction, axis), 0.5 * height, axis);
+    hit_interval(interval_both(side, ends), middle, object, hit);
+}

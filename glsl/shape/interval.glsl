@@ -1,0 +1,76 @@
+#include "scene.glsl"
+
+// The stretch of a ray in a convex solid, and the solid's normals at its ends. Solids are made of simpler ones, so that their
+// parts leave no gap: what is in both of two intervals, and what is in either where the whole is convex too.
+struct Interval {
+    float enter; // m; past `leave` where the ray misses
+    float leave;
+    vec3 enter_normal;
+    vec3 leave_normal;
+};
+
+Interval interval_none() {
+    return Interval(INFINITY, -INFINITY, vec3(0.0), vec3(0.0));
+}
+
+Interval interval_both(Interval a, Interval b) {
+    bool a_enters = a.enter >= b.enter;
+    bool a_leaves = a.leave <= b.leave;
+    Interval both = Interval(a_enters ? a.enter : b.enter, a_leaves ? a.leave : b.leave,
+                             a_enters ? a.enter_normal : b.enter_normal, a_leaves ? a.leave_normal : b.leave_normal);
+    if (both.enter >= both.leave) return interval_none();
+    return both;
+}
+
+Interval interval_either(Interval a, Interval b) {
+    bool a_enters = a.enter <= b.enter;
+    bool a_leaves = a.leave >= b.leave;
+    return Interval(a_enters ? a.enter : b.enter, a_leaves ? a.leave : b.leave,
+                    a_enters ? a.enter_normal : b.enter_normal, a_leaves ? a.leave_normal : b.leave_normal);
+}
+
+// Between two planes: |height + t slope| <= half_thickness, along the unit vector `normal`.
+Interval interval_slab(float height, float slope, float half_thickness, vec3 normal) {
+    float inverse = abs(slope) > 1.0e-20 ? 1.0 / slope : 1.0e20;
+    float low = (-half_thickness - height) * inverse;
+    float high = (half_thickness - height) * inverse;
+    vec3 onward = inverse >= 0.0 ? normal : -normal;
+    return Interval(min(low, high), max(low, high), -onward, onward);
+}
+
+// In a sphere about `to_centre` from the ray's origin. By the closest approach, as in hit_sphere().
+Interval interval_sphere(vec3 to_centre, vec3 direction, float radius) {
+    float middle = dot(to_centre, direction);
+    vec3 miss = to_centre - middle * direction;
+    float discriminant = radius * radius - dot(miss, miss);
+    if (discriminant <= 0.0) return interval_none();
+    float half_chord = sqrt(discriminant);
+    return Interval(middle - half_chord, middle + half_chord, (-half_chord * direction - miss) / radius,
+                    (half_chord * direction - miss) / radius);
+}
+
+// In an endless cylinder about an axis through the point `to_centre` from the ray's origin; `axis` of unit length.
+Interval interval_cylinder(vec3 to_centre, vec3 direction, vec3 axis, float radius) {
+    vec3 across = direction - dot(direction, axis) * axis;
+    vec3 from_axis = dot(to_centre, axis) * axis - to_centre;
+    float speed = max(dot(across, across), 1.0e-24);
+    float middle = -dot(from_axis, across) / speed;
+    vec3 miss = from_axis + middle * across;
+    float discriminant = radius * radius - dot(miss, miss);
+    if (discriminant <= 0.0) return interval_none();
+    float half_chord = sqrt(discriminant / speed);
+    return Interval(middle - half_chord, middle + half_chord, (miss - half_chord * across) / radius,
+                    (miss + half_chord * across) / radius);
+}
+
+// Replaces `hit` by the interval's nearer end ahead of the ray. The interval is counted from `middle`: shapes count from the
+// ray's closest approach to their centre, where the numbers are as small as the shape, however far it is.
+void hit_interval(Interval interval, float middle, int object, INOUT(Hit) hit) {
+    bool outside = middle + interval.enter > 0.0;
+    float t = middle + (outside ? interval.enter : interval.leave);
+    if (interval.enter < interval.leave && t > 0.0 && t < hit.t) {
+        hit.t = t;
+        hit.normal = normalize(outside ? interval.enter_normal : interval.leave_normal);
+        hit.object = object;
+    }
+}

@@ -1,0 +1,92 @@
+#include "scene.glsl"
+
+// The distance to a torus and its change along the ray, at `p` from the centre.
+vec2 torus_distance(vec3 p, vec3 direction, vec3 axis, float major, float minor) {
+    float height = dot(p, axis);
+    vec3 across = p - height * axis;
+    float radius = max(length(across), 1.0e-30);
+    float reach = max(length(vec2(radius - major, height)), 1.0e-30);
+    float change = (radius - major) * dot(across, direction) / radius + height * dot(axis, direction);
+    return vec2(reach - minor, change / reach);
+}
+
+// The root of 4 t^3 + 2 c t + d between low and high, if there is one, else high. A rough one will do: see below.
+float torus_turn(float c, float d, float low, float high) {
+    float at_low = (4.0 * low * low + 2.0 * c) * low + d;
+    float at_high = (4.0 * high * high + 2.0 * c) * high + d;
+    if (at_low * at_high > 0.0) return high;
+    float t = 0.5 * (low + high);
+    for (int i = 0; i < 10; i++) {
+        float value = (4.0 * t * t + 2.0 * c) * t + d;
+        if (value * at_low > 0.0) low = t;
+        else high = t;
+        float slope = 12.0 * t * t + 2.0 * c;
+        float newton = slope != 0.0 ? t - value / slope : low;
+        t = newton > low && newton < high ? newton : 0.5 * (low + high);
+    }
+    return t;
+}
+
+// The surface between low and high, on two sides of it: Newton's steps on the distance, halving where they leave the bracket.
+float torus_meet(vec3 near, vec3 direction, vec3 axis, float major, float minor, float low, float high, float side) {
+    float t = 0.5 * (low + high);
+    for (int i = 0; i < 24; i++) {
+        vec2 d = torus_distance(near + t * direction, direction, axis, major, minor);
+        if (d.x * side > 0.0) low = t;
+        else high = t;
+        float newton = d.y != 0.0 ? t - d.x / d.y : low;
+        float next = newton > low && newton < high ? newton : 0.5 * (low + high);
+        if (abs(d.x) <= 1.2e-7 * minor || abs(next - t) <= 3.0e-8 * major) break;
+        t = next;
+    }
+    return t;
+}
+
+// A ring about `axis` (of unit length) through `centre`: the circle of the major radius, `minor` thick all around, which is the
+// smaller one. Seen from outside or inside.
+//
+// A torus is the quartic t^4 + c t^2 + d t + e when t counts from the closest approach to the centre. Ferrari's formula for its
+// roots drowns in roundings, so only the turning points are taken from it; between these the distance itself, which has lost
+// nothing, has one root or none. Turning points that are a little off cost only what is thinner than their error squared.
+void hit_torus(Ray ray, vec3 centre, vec3 axis, float major, float minor, int object, INOUT(Hit) hit) {
+    vec3 to_centre = centre - ray.origin;
+    float middle = dot(to_centre, ray.direction);
+    vec3 near = middle * ray.direction - to_centre;
+    float outer = major + minor;
+    float miss = dot(near, near);
+    if (miss >= outer * outer) return;
+    float end = sqrt(outer * outer - miss);
+    float start = max(-middle, -end);
+    if (start >= end) return;
+
+    float height = dot(near, axis);
+    float climb = dot(ray.direction, axis);
+    float c = 2.0 * (miss + major * major - minor * minor) - 4.0 * major * major * (1.0 - climb * climb);
+    float d = 8.0 * major * major * height * climb;
+    float bend = min(sqrt(max(-c / 6.0, 0.0)), end);
+    float turn0 = torus_turn(c, d, -end, -bend);
+    float turn1 = torus_turn(c, d, -bend, bend);
+    float turn2 = torus_turn(c, d, bend, end);
+
+    float low = start;
+    float side = torus_distance(near + start * ray.direction, ray.direction, axis, major, minor).x < 0.0 ? -1.0 : 1.0;
+    bool found = false;
+    float high = end;
+    for (int i = 0; i < 4 && !found; i++) {
+        high = i == 0 ? turn0 : (i == 1 ? turn1 : (i == 2 ? turn2 : end));
+        if (high > low) {
+            found = side * torus_distance(near + high * ray.direction, ray.direction, axis, major, minor).x < 0.0;
+            low = found ? low : high;
+        }
+    }
+    if (!found) return;
+    float meet = torus_meet(near, ray.direction, axis, major, minor, low, high, side);
+    float t = middle + meet;
+    if (t > 0.0 && t < hit.t) {
+        vec3 p = near + meet * ray.direction;
+        vec3 across = p - dot(p, axis) * axis;
+        hit.t = t;
+        hit.normal = normalize(p - major * normalize(across));
+        hit.object = object;
+    }
+}
