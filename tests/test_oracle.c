@@ -11,14 +11,17 @@ ORACLE_CASE(checker);
 ORACLE_CASE(crater_cosine);
 ORACLE_CASE(crater_paper);
 ORACLE_CASE(crater_uniform);
+ORACLE_CASE(distance);
 ORACLE_CASE(gauss);
 ORACLE_CASE(lobe_cosine);
 ORACLE_CASE(lobe_paper);
+ORACLE_CASE(march);
 ORACLE_CASE(paper);
 ORACLE_CASE(phase);
 ORACLE_CASE(sequence_random);
 ORACLE_CASE(sequence_sobol);
 ORACLE_CASE(shape);
+ORACLE_CASE(solids);
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
@@ -166,6 +169,69 @@ static void test_shape(void **state) {
     context_close(&context);
 }
 
+/* Rays toward solids of a metre, from 1 to 20 m; `kinds` of them. */
+static void make_rays(int kinds) {
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *origin = inputs + 8 * i, *direction = origin + 4;
+        double reach = i % 2 ? 1.2 : 20, to[3], length = 0;
+        origin[3] = (float)(i / 2 % kinds);
+        for (int c = 0; c < 3; c++) {
+            origin[c] = (float)(reach * (2 * random_unit() - 1));
+            to[c] = 1.2 * (2 * random_unit() - 1) - (double)origin[c];
+            length += to[c] * to[c];
+        }
+        for (int c = 0; c < 3; c++) direction[c] = (float)(to[c] / sqrt(length));
+    }
+}
+
+/* At edges and silhouettes a rounding decides: jumps. */
+static void test_solids(void **state) {
+#define EDGE .rms = 1e-6, .worst = 3e-5, .most_set_aside = 0.01
+    static const OracleQuantity quantities[] = {
+        {"distance", .result = 0, .condition = 5, .jump = 0.01, EDGE},
+        {"normal's x", .result = 1, .condition = 6, .floor = 1, .jump = 0.01, EDGE},
+        {"normal's y", .result = 2, .condition = 6, .floor = 1, .jump = 0.01, EDGE},
+        {"normal's z", .result = 3, .condition = 6, .floor = 1, .jump = 0.01, EDGE},
+        {"object", .result = 4, .floor = 1, .jump = 0.5, .most_set_aside = 0.01},
+    };
+    start(state);
+    make_rays(8);
+    oracle_compare(&context, ORACLE(solids), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+/* Normals are difference quotients, as good as MARCH_NORMAL_STEP. */
+static void test_march(void **state) {
+#define QUOTIENT .rms = 2e-4, .worst = 5e-3, .jump = 0.05, .most_set_aside = 0.01
+    static const OracleQuantity quantities[] = {
+        {"distance", .result = 0, .condition = 5, .jump = 0.01, EDGE},
+        {"normal's x", .result = 1, .floor = 1, QUOTIENT},
+        {"normal's y", .result = 2, .floor = 1, QUOTIENT},
+        {"normal's z", .result = 3, .floor = 1, QUOTIENT},
+        {"object", .result = 4, .floor = 1, .jump = 0.5, .most_set_aside = 0.01},
+    };
+    start(state);
+    make_rays(1);
+    oracle_compare(&context, ORACLE(march), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+static void test_distance(void **state) {
+#define NEAR .floor = 1, .rms = 1e-6, .worst = 3e-6
+    static const OracleQuantity quantities[] = {
+        {"rounded box", .result = 0, NEAR}, {"cylinder", .result = 1, NEAR},
+        {"capsule", .result = 2, NEAR},     {"cone", .result = 3, NEAR},
+        {"subtraction", .result = 4, NEAR}, {"ellipsoid", .result = 5, NEAR},
+        {"copies", .result = 6, NEAR},      {"smooth", .result = 7, NEAR},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        for (int c = 0; c < 3; c++) inputs[8 * i + c] = (float)((i % 2 ? 1.2 : 5) * (2 * random_unit() - 1));
+    }
+    oracle_compare(&context, ORACLE(distance), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
 static void test_lobes(void **state) {
     static const OracleQuantity quantities[] = {
         {"point's x", .result = 0, .floor = 1, .rms = 1e-6, .worst = 3e-6},
@@ -296,11 +362,13 @@ static void test_paths(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_phase),         cmocka_unit_test(test_atmosphere),
-        cmocka_unit_test(test_paper),         cmocka_unit_test(test_gauss),
-        cmocka_unit_test(test_shape),         cmocka_unit_test(test_lobes),
-        cmocka_unit_test(test_mirror_sphere), cmocka_unit_test(test_sequences),
-        cmocka_unit_test(test_checker),       cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_phase),     cmocka_unit_test(test_atmosphere),
+        cmocka_unit_test(test_paper),     cmocka_unit_test(test_gauss),
+        cmocka_unit_test(test_shape),     cmocka_unit_test(test_solids),
+        cmocka_unit_test(test_march),     cmocka_unit_test(test_distance),
+        cmocka_unit_test(test_lobes),     cmocka_unit_test(test_mirror_sphere),
+        cmocka_unit_test(test_sequences), cmocka_unit_test(test_checker),
+        cmocka_unit_test(test_paths),
     };
     return cmocka_run_group_tests_name("oracle", tests, support_folder, support_clean);
 }
