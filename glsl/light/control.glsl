@@ -2,7 +2,7 @@
 //
 // What level ground would reflect of a sky that nothing blocks is known from its normal alone (irradiance.glsl). The bounce from
 // the first such hit therefore brings, in place of the light L from its direction, L - sky: nothing where it escapes, and where it
-// is blocked, the blocker's light less the sky's behind it. The mean is the same and the open sky's noise is gone. Half of these
+// is blocked, the blocker's light less the sky's behind it. The mean is the same and the open sky's noise is gone. Some of these
 // bounces go toward what may block the sky, where the scene says where that is (bounds). On slopes and in hollows much is blocked,
 // and there the plain cosine does better.
 #include "math/cone.glsl"
@@ -15,43 +15,56 @@
 
 vec3 sky_irradiance_over_pi(vec3 normal);
 
-const float BLOCKER_SHARE = 0.5; // of the bounces from level ground
+// How many of the bounces from a piece of level ground go toward a bound, by the square root of the share of the ground's light that
+// the bound may block: a bound that blocks nothing to speak of costs nothing, and paths that end in the open sky are short.
+const float BLOCKER_SHARE = 1.2;
+const float BLOCKER_SHARE_MOST = 0.7; // of all bounds together
 
-// The numbers for a bounce toward one of the bounds: which one, and where in its cone.
-struct BlockerChoice {
-    int bound; // -1 for none of them
-    vec2 u;
-};
-
-// u.x chooses, and stretched serves again: numbers that are spread evenly stay so in each of the parts.
-BlockerChoice blocker_choice(vec2 u) {
-    float part = u.x / BLOCKER_SHARE * float(SCENE_BOUNDS);
-    float bound = floor(part);
-    bool none = SCENE_BOUNDS == 0 || u.x >= BLOCKER_SHARE;
-    float cosine_share = SCENE_BOUNDS == 0 ? 1.0 : 1.0 - BLOCKER_SHARE;
-    return none ? BlockerChoice(-1, vec2(1.0 - (1.0 - u.x) / cosine_share, u.y)) : BlockerChoice(int(bound), vec2(part - bound, u.y));
+float blocker_share(Cone cone, vec3 normal) {
+    float sine_squared = cone.one_less_cos * (2.0 - cone.one_less_cos);
+    float blocked = sine_squared * clamp(dot(cone.axis, normal), 0.1, 1.0);
+    return min(BLOCKER_SHARE * sqrt(blocked), BLOCKER_SHARE_MOST / float(max(SCENE_BOUNDS, 1)));
 }
 
-// A bounce from Lambert's ground, drawn by the cosine, or anew toward the chosen bound. Its weight is cos / pi over the density of the
-// two together; 0 for a direction into the ground.
+Cone blocker_cone(int i, vec3 position) {
+    vec4 bound = scene_bound(i);
+    return cone_toward(position, vec3(bound), bound.w); // empty from inside of the bound
+}
+
+// What a bounce from level ground is drawn with: the cosine, or the cone of one of the bounds.
+struct BlockerChoice {
+    bool cosine;
+    vec2 u; // u.x chooses, and stretched serves again: numbers that are spread evenly stay so in each of the parts
+    Cone cone;
+};
+
+BlockerChoice blocker_choice(vec3 position, vec3 normal, vec2 u) {
+    BlockerChoice choice = BlockerChoice(true, u, Cone(normal, 0.0));
+    float passed = 0.0;
+    for (int i = 0; i < SCENE_BOUNDS; i++) {
+        Cone cone = blocker_cone(i, position);
+        float share = blocker_share(cone, normal);
+        if (u.x >= passed && u.x < passed + share) choice = BlockerChoice(false, vec2((u.x - passed) / share, u.y), cone);
+        passed += share;
+    }
+    if (choice.cosine) choice.u.x = (u.x - passed) / (1.0 - passed);
+    return choice;
+}
+
+// A bounce from Lambert's ground, drawn by the cosine, or anew toward the chosen bound. Its weight is cos / pi over the density of
+// all parts together; 0 for a direction into the ground.
 Bounce blocker_bounce(Bounce bounce, vec3 position, vec3 normal, BlockerChoice choice) {
-    float density = 0.0; // of the bounds' part
-    float seen = 0.0;
-    for (int i = 0; i < SCENE_BOUNDS; i++) {
-        vec4 bound = scene_bound(i);
-        Cone cone = cone_toward(position, vec3(bound), bound.w);
-        if (choice.bound == i && cone.one_less_cos > 0.0) bounce.direction = cone_sample(cone, choice.u);
-    }
-    for (int i = 0; i < SCENE_BOUNDS; i++) {
-        vec4 bound = scene_bound(i);
-        Cone cone = cone_toward(position, vec3(bound), bound.w);
-        density += cone.one_less_cos > 0.0 ? cone_pdf(cone, bounce.direction) : 0.0;
-        seen += cone.one_less_cos > 0.0 ? 1.0 : 0.0;
-    }
-    // A bound that is not seen, because the ground is inside of it, leaves its share to the cosine.
-    float share = SCENE_BOUNDS > 0 ? BLOCKER_SHARE / float(SCENE_BOUNDS) : 0.0;
+    if (!choice.cosine) bounce.direction = cone_sample(choice.cone, choice.u);
     float cosine = max(dot(bounce.direction, normal), 0.0) / PI;
-    float together = (1.0 - share * seen) * cosine + share * density;
+    float density = 0.0;
+    float left = 1.0;
+    for (int i = 0; i < SCENE_BOUNDS; i++) {
+        Cone cone = blocker_cone(i, position);
+        float share = blocker_share(cone, normal);
+        if (share > 0.0) density += share * cone_pdf(cone, bounce.direction);
+        left -= share;
+    }
+    float together = left * cosine + density;
     bounce.weight *= together > 0.0 ? cosine / together : 0.0;
     return bounce;
 }
@@ -77,7 +90,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             vec2 v = sequence_pair(sequence);
             Material material = scene_material(hit);
             bool level = hit.normal.y >= LEVEL_GROUND && !controlled;
-            BlockerChoice choice = blocker_choice(u);
+            BlockerChoice choice = blocker_choice(hit.position, hit.normal, u);
             Bounce bounce = material_sample(material, hit.normal, ray.direction, level ? choice.u : u, v);
             hits += 1;
             gathered += throughput * sun_reflected(hit, material, ray.direction, max_hits - hits, sequence);
