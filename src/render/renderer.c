@@ -13,7 +13,8 @@ enum {
     LOOP_LIMIT = 65535,
     /* "Unlimited" for the loop's sake: Russian roulette lets a path come so far with a probability below
        1e-22. */
-    UNLIMITED_HITS = 1000
+    UNLIMITED_HITS = 1000,
+    MARCH_ITERATIONS = 200 /* at most, of one march() (glsl/shape/march.glsl), were the field without loops */
 };
 
 typedef struct Methods {
@@ -28,19 +29,26 @@ static bool uses_sky_sampler(const Methods *methods) {
     return strcmp(methods->light.method->name, "mis") == 0;
 }
 
-/* Loop iterations of one sample: itself, its hits with the bounds and mirror spheres at each, and the sky. */
-static long sample_iterations(const Methods *methods, const Scene *scene, int max_hits) {
-    bool control = uses_control(methods), sun = strcmp(methods->sun.method->name, "sampled") == 0;
-    long hit = 1 + (control ? 2L * scene->bound_count : 0);
-    if (sun && scene->mirror_count) hit += 6 + 5L * scene->mirror_count;
-    long sky = methods->sky.table ? 0 : methods->sky.iterations;
-    return 1 + (max_hits + 1L) * hit + sky * (control ? 2 : 1);
+/* Loop iterations at one hit, with the distance fields that its rays march through, and the bounds and mirror
+ * spheres that it looks for. */
+static long hit_iterations(const Methods *methods, const Scene *scene, int marches) {
+    bool sun = strcmp(methods->sun.method->name, "sampled") == 0;
+    long rays = 1 + (sun ? 1 : 0) + (sun && scene->mirror_count ? 2 : 0);
+    long bounds = uses_control(methods) ? 2L * scene->bound_count : 0;
+    long mirrors = sun && scene->mirror_count ? 6 + 5L * scene->mirror_count : 0;
+    return 1 + rays * marches * MARCH_ITERATIONS + bounds + mirrors;
 }
 
-static bool choose_group(Renderer *renderer, const Methods *methods, const Scene *scene, int width,
-                         Error *error) {
+/* `marches`: calls of march(). Where a scene marches, "unlimited" is as many hits as the loops allow. */
+static bool choose_group(Renderer *renderer, const Methods *methods, const RenderParams *params, int width,
+                         int marches, Error *error) {
     const MethodChoice *sky = &methods->sky;
-    long iterations = sample_iterations(methods, scene, renderer->max_hits);
+    long hit = hit_iterations(methods, params->scene, marches);
+    long others = 1 + (sky->table ? 0 : sky->iterations) * (uses_control(methods) ? 2 : 1);
+    long most = (LOOP_LIMIT - others) / hit - 1;
+    if (!params->max_hits && marches && most > 16 && most < renderer->max_hits)
+        renderer->max_hits = (int)most;
+    long iterations = others + (renderer->max_hits + 1L) * hit;
     if (iterations > LOOP_LIMIT || sky->iterations > LOOP_LIMIT) {
         return error_set(error, STATUS_USAGE,
                          "--sky %s with --light %s and %d surface hits needs %ld loop iterations a sample; "
@@ -132,6 +140,14 @@ static bool flatten(const Methods *methods, const RenderParams *params, bool ima
     text_free(&bounds);
     text_free(&mirrors);
     return ok;
+}
+
+static bool count_marches(const Methods *methods, const RenderParams *params, int *marches, Error *error) {
+    GlslSource source;
+    if (!flatten(methods, params, false, &source, error)) return false;
+    *marches = glsl_source_calls(&source, "march");
+    glsl_source_destroy(&source);
+    return true;
 }
 
 bool renderer_flatten(const RenderParams *params, GlslSource *source, Error *error) {
@@ -230,12 +246,14 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
     int width = picture_width(params), height = picture_height(params);
     SkyState state = {scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg};
     Methods methods;
+    int marches = 0;
     *renderer = (Renderer){.gl = &context->gl,
                            .seed = params->seed,
                            .max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS};
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
         !choose_methods(&methods, params, width, height, error) ||
-        !choose_group(renderer, &methods, scene, width, error)) {
+        !count_marches(&methods, params, &marches, error) ||
+        !choose_group(renderer, &methods, params, width, marches, error)) {
         goto fail;
     }
     renderer->light = methods.light;

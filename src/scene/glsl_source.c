@@ -323,18 +323,27 @@ static const char *closing_parenthesis(const char *open) {
     return open;
 }
 
-bool glsl_source_defines(const GlslSource *source, const char *function) {
+/* Where the function is named with a parameter list behind: its definitions, or its calls and prototypes. */
+static int count_mentions(const GlslSource *source, const char *function, bool definitions) {
     char *text = without_comments(text_string(&source->text));
     size_t length = strlen(function);
-    bool found = false;
-    for (char *at = text; !found && (at = strstr(at, function)); at += length) {
+    int count = 0;
+    for (char *at = text; (at = strstr(at, function)); at += length) {
         bool starts = at == text || (!isalnum((unsigned char)at[-1]) && at[-1] != '_');
         const char *next = at + length + strspn(at + length, " \t\n\r");
         if (!starts || *next != '(') continue;
         const char *close = closing_parenthesis(next);
         close += strspn(close, " \t\n\r");
-        found = *close == '{';
+        count += (*close == '{') == definitions;
     }
     free(text);
-    return found;
+    return count;
+}
+
+bool glsl_source_defines(const GlslSource *source, const char *function) {
+    return count_mentions(source, function, true) > 0;
+}
+
+int glsl_source_calls(const GlslSource *source, const char *function) {
+    return count_mentions(source, function, false);
 }

@@ -48,3 +48,6 @@ bool glsl_ends_in_comment(const char *line, bool inside);
 
 /* Whether the text defines a function of that name (outside comments). */
 bool glsl_source_defines(const GlslSource *source, const char *function);
+
+/* How often the text calls a function of that name (outside comments). */
+int glsl_source_calls(const GlslSource *source, const char *function);
