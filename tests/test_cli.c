@@ -40,6 +40,10 @@ static void test_usage(void **state) {
                    "render scenes/crater.glsl --sky table:uniform -o '%s'", out);
     support_expect(2, "a table is filled by gauss or paper",
                    "render scenes/crater.glsl --sky table:table -o '%s'", out);
+    support_expect(2, "--sun-disk: unknown method 'frob' (known: auto, off, sampled, chance)",
+                   "render scenes/crater.glsl --sun-disk=frob -o '%s'", out);
+    support_expect(2, "the limit is 65535",
+                   "render scenes/gyroid.glsl --size 8x8 --spp 1 --depth 1000 -o '%s'", out);
     support_expect(2, "takes no numbers", "render scenes/crater.glsl --light cosine:3 -o '%s'", out);
     support_expect(2, "unknown backend 'vulkan' (known: auto, egl, osmesa, glfw)",
                    "render scenes/crater.glsl --backend vulkan -o '%s'", out);
