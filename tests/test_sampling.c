@@ -139,7 +139,7 @@ static void draw_lobe(const Context *context, const char *method) {
         "#include \"scene.glsl\"\n#include \"sequence/random.glsl\"\n#include \"sun/off.glsl\"\n#include "
         "\"light/%s.glsl\"\n"
         "void scene_intersect(Ray r, inout Hit h) {}\n"
-        "Material scene_material(Hit h) { return Material(0, vec3(1)); }\n"
+        "Material scene_material(Hit h) { return material_new(0, vec3(1)); }\n"
         "Bounce material_sample(Material m, vec3 n, vec3 i, vec2 u, vec2 v) { return Bounce(n, vec3(1), "
         "0.0, false); }\n"
         "float material_pdf(Material m, vec3 n, vec3 i, vec3 o) { return 0.0; }\n"

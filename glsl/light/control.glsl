@@ -88,7 +88,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
         if (alive) {
             vec2 u = sequence_pair(sequence);
             vec2 v = sequence_pair(sequence);
-            Material material = scene_material(hit);
+            Material material = surface_material(hit);
             bool level = hit.normal.y >= LEVEL_GROUND && !controlled;
             BlockerChoice choice = blocker_choice(hit.position, hit.normal, u);
             Bounce bounce = material_sample(material, hit.normal, ray.direction, level ? choice.u : u, v);

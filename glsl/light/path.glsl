@@ -22,7 +22,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
         if (alive) {
             vec2 u = sequence_pair(sequence);
             vec2 v = sequence_pair(sequence);
-            Material material = scene_material(hit);
+            Material material = surface_material(hit);
             Bounce bounce = path_bounce(material, hit.normal, ray.direction, u, v);
             hits += 1;
             gathered += throughput * sun_reflected(hit, material, ray.direction, max_hits - hits, sequence);

@@ -15,6 +15,14 @@ Hit surface_hit(Ray ray) {
     Hit hit = hit_none();
     scene_intersect(ray, hit);
     hit.position = ray.origin + hit.t * ray.direction;
-    hit.normal = dot(hit.normal, ray.direction) > 0.0 ? -hit.normal : hit.normal;
+    hit.inside = dot(hit.normal, ray.direction) > 0.0;
+    hit.normal = hit.inside ? -hit.normal : hit.normal;
     return hit;
+}
+
+// What is there, as the ray meets it: from within a solid the index of refraction is the other way round.
+Material surface_material(Hit hit) {
+    Material material = scene_material(hit);
+    material.ior = hit.inside ? 1.0 / material.ior : material.ior;
+    return material;
 }

@@ -7,7 +7,7 @@ float matte_density(float cosine);
 
 // Scatters `albedo` of the light, whichever way it came.
 Material matte(vec3 albedo) {
-    return Material(MATERIAL_MATTE, albedo);
+    return material_new(MATERIAL_MATTE, albedo);
 }
 
 Bounce matte_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {

@@ -2,7 +2,7 @@
 
 // A perfect mirror that reflects `tint` of the light.
 Material mirror(vec3 tint) {
-    return Material(MATERIAL_MIRROR, tint);
+    return material_new(MATERIAL_MIRROR, tint);
 }
 
 Bounce mirror_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {

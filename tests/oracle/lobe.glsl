@@ -13,7 +13,7 @@ void item(vec4 a, vec4 b, OUT(vec4) c, OUT(vec4) d) {
 
 // What a light method asks of a scene; no path is traced here.
 void scene_intersect(Ray ray, INOUT(Hit) hit) {}
-Material scene_material(Hit hit) { return Material(0, vec3(1.0)); }
+Material scene_material(Hit hit) { return material_new(0, vec3(1.0)); }
 Bounce material_sample(Material m, vec3 normal, vec3 incoming, vec2 u, vec2 v) { return Bounce(normal, vec3(1.0), 0.0, false); }
 float material_pdf(Material m, vec3 normal, vec3 incoming, vec3 outgoing) { return 0.0; }
 vec3 material_value(Material m, vec3 normal, vec3 incoming, vec3 outgoing) { return vec3(0.0); }

@@ -1,0 +1,36 @@
+#include "math/hash.glsl"
+
+// A number in [0,1) for each point with whole coordinates.
+float noise_at(ivec3 corner) {
+    return unit_float(hash_3(uvec3(corner)).x);
+}
+
+// Value noise in [0,1]: random at the points with whole coordinates, smooth between them (Perlin's 2002 quintic).
+float noise(vec3 position) {
+    vec3 low = floor(position);
+    vec3 f = position - low;
+    vec3 s = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    ivec3 c = ivec3(low);
+    float sum = 0.0;
+    for (int i = 0; i < 8; i++) {
+        ivec3 corner = ivec3(i % 2, i / 2 % 2, i / 4);
+        vec3 w = vec3(corner.x == 1 ? s.x : 1.0 - s.x, corner.y == 1 ? s.y : 1.0 - s.y, corner.z == 1 ? s.z : 1.0 - s.z);
+        sum += w.x * w.y * w.z * noise_at(c + corner);
+    }
+    return min(sum, 1.0);
+}
+
+// Octaves of it in [0,1], each half as large and half as strong as the one before.
+float noise_octaves(vec3 position, int octaves) {
+    float sum = 0.0;
+    float total = 0.0;
+    float strength = 1.0;
+    float scale = 1.0;
+    for (int i = 0; i < octaves; i++) {
+        sum += strength * noise(scale * position + vec3(float(i) * 17.0));
+        total += strength;
+        strength *= 0.5;
+        scale *= 2.0;
+    }
+    return min(sum / total, 1.0);
+}
