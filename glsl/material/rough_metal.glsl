@@ -3,8 +3,7 @@
 
 // Metal with a finish: a surface of mirrors that are tilted as GGX says (Walter et al. 2007), which shade and hide each other as
 // Smith says, height-correlated (Heitz 2014), drawn by how much of them is seen (Heitz 2018, in the form of Dupuy and Benyoub
-// 2023). Light is followed from mirror to mirror once, so that rough metal
-// loses some: at roughness 1, seen straight, all but 1 - log(2) of it.
+// 2023). Light meets one mirror and no second, so that rough metal loses some: at roughness 1, seen straight, all but 1 - log(2).
 
 // The least alpha: lobes narrower than the sun's disk cost float its digits and change no picture. mirror() is the limit.
 const float ROUGH_METAL_LEAST_ALPHA = 1.0e-3;
