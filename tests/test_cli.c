@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #define TINY "--size 16x16 --spp 1 --sky uniform"
-#define MATERIAL "Material scene_material(Hit hit) { return Material(0, vec3(0)); }\n"
+#define MATERIAL "Material scene_material(Hit hit) { return material_new(0, vec3(0)); }\n"
 #define INTERSECT "void scene_intersect(Ray ray, INOUT(Hit) hit) { }\n"
 
 static bool exists(const char *path) {

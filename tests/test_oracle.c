@@ -16,6 +16,7 @@ ORACLE_CASE(gauss);
 ORACLE_CASE(lobe_cosine);
 ORACLE_CASE(lobe_paper);
 ORACLE_CASE(march);
+ORACLE_CASE(material);
 ORACLE_CASE(paper);
 ORACLE_CASE(phase);
 ORACLE_CASE(sequence_random);
@@ -287,6 +288,33 @@ static void test_checker(void **state) {
     context_close(&context);
 }
 
+/* Bounces of metal, glass and the author's material. A density at a ball's edge is a jump, too. */
+static void test_material(void **state) {
+    static const OracleQuantity quantities[] = {
+        {"metal's cosine", .result = 0, .condition = 3, .floor = 1, .rms = 1e-6, .worst = 1e-5,
+         .most_set_aside = 0.1},
+        {"metal's density", .result = 1, .condition = 3, .floor = 1e-2, .rms = 1e-6, .worst = 1e-5,
+         .most_set_aside = 0.1},
+        {"metal's weight", .result = 2, .condition = 3, .floor = 1, .rms = 1e-6, .worst = 1e-5,
+         .most_set_aside = 0.1},
+        {"glass's cosine", .result = 4, .condition = 6, .floor = 1, .rms = 1e-6, .worst = 1e-5, .jump = 1e-3,
+         .most_set_aside = 0.01},
+        {"author's density", .result = 5, .condition = 7, .floor = 1, .rms = 1e-5, .worst = 1e-3,
+         .jump = 1e-2, .most_set_aside = 0.02},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *a = inputs + 8 * i;
+        for (int c = 0; c < 4; c++) a[c] = (float)random_unit();
+        a[4] = (float)fmax(random_unit(), 1e-3);
+        a[5] = (float)(2 * pi * random_unit());
+        a[6] = (float)(0.03 + 0.97 * random_unit());
+        a[7] = (float)(i % 2 ? 1 + 1.5 * random_unit() : 1 / (1 + 1.5 * random_unit()));
+    }
+    oracle_compare(&context, ORACLE(material), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
 /* Alhazen's point, at the sphere and far from it. */
 static void test_mirror_sphere(void **state) {
     static const OracleQuantity quantities[] = {
@@ -368,7 +396,7 @@ int main(void) {
         cmocka_unit_test(test_march),     cmocka_unit_test(test_distance),
         cmocka_unit_test(test_lobes),     cmocka_unit_test(test_mirror_sphere),
         cmocka_unit_test(test_sequences), cmocka_unit_test(test_checker),
-        cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_material),  cmocka_unit_test(test_paths),
     };
     return cmocka_run_group_tests_name("oracle", tests, support_folder, support_clean);
 }
