@@ -146,7 +146,7 @@ static void march_beside_exact(const char *name, const char *words, double facto
              "Ray ray = Ray(p, direction);\n"
              "    Hit exact = hit_none(), marched = hit_none();\n"
              "    hit_%s(ray, %s, 1, exact);\n    march(ray, %s 1, marched);\n"
-             "    c = vec4(marched.t / s, exact.t / s, march_broken, march_cut);\n"
+             "    c = vec4(marched.t / s, exact.t / s, search_broken, search_cut);\n"
              "    d = vec4(length(marched.normal - exact.normal), dot(exact.normal, ray.direction), "
              "evaluations, 0.0);",
              name, words, bound);
@@ -259,7 +259,7 @@ static void test_leave(void **state) {
                  "    hit_%s(onward, %s, 1, exact);\n    march(onward, 1, marched);\n"
                  "    float size = s + march_size(onward.origin) + hit.t;\n"
                  "    c = vec4(marched.t / size, exact.t / size, dot(around, hit.normal), 1.0);\n"
-                 "    d = vec4(march_broken, march_cut, 0.0, 0.0);\n",
+                 "    d = vec4(search_broken, search_cut, 0.0, 0.0);\n",
                  shape->name, shape->words);
         evaluate(declarations, body);
         for (int i = 0; i < ITEMS; i++) {
@@ -293,7 +293,7 @@ static void test_grazing(void **state) {
     evaluate("#include \"distance/plane.glsl\"\n#include \"shape/march.glsl\"\n"
              "float scene_distance(vec3 p) { return distance_plane(p, vec3(0.0, 1.0, 0.0), 0.0); }\n",
              "Hit hit = hit_none();\n    march(Ray(p, direction), 1, hit);\n"
-             "    c = vec4(hit.t / s, hit.normal);\n    d = vec4(march_broken, march_cut, 0.0, 0.0);\n");
+             "    c = vec4(hit.t / s, hit.normal);\n    d = vec4(search_broken, search_cut, 0.0, 0.0);\n");
     for (int i = 0; i < ITEMS; i++) {
         const float *c = results + 8 * i;
         double t = (double)c[0], height = 1.7 + t * (double)inputs[8 * i + 5];
@@ -335,7 +335,7 @@ static void test_fence(void **state) {
         "    for (int x = 0; x < 6; x++) for (int z = 0; z < 7; z++)\n"
         "        hit_box(ray, vec3(0.5 * float(x) - 1.25, 0.0, 0.5 * float(z) - 1.5), SIZE, 1, exact);\n"
         "    c = vec4(hit.t, exact.t, length(hit.normal - exact.normal), 0.0);\n"
-        "    d = vec4(march_broken, march_cut, 0.0, 0.0);\n");
+        "    d = vec4(search_broken, search_cut, 0.0, 0.0);\n");
     for (int i = 0; i < ITEMS; i++) {
         const float *c = results + 8 * i;
         hits += c[1] < 1e20f;

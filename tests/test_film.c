@@ -47,7 +47,7 @@ static void test_long_mean(void **state) {
                 "film_add(vec4(16.0 * 0.3, 16.0 * (pass == 0u ? 1.0e6 : 1.0e-3), pass % 2u == 0u ? 16.0 : "
                 "4.8, 16.0), 0.0);",
                 &program);
-    assert_true(film_create(&film, &context, 2, 2, &error));
+    assert_true(film_create(&film, &context, 2, 2, 0, &error));
     for (unsigned pass = 0; pass < GROUPS; pass++) run_pass(&film, &program, pass, 16);
     assert_true(film_read(&film, &image, &count, &error));
     assert_true(film.samples == 10000000 && count.accepted == 40000000 && count.rejected == 0);
@@ -79,7 +79,7 @@ static void test_rejected(void **state) {
         "float x = floor(gl_FragCoord.x);\n"
         "film_add(x == 0.0 ? vec4(0.0) : vec4(vec3(2.0) * (16.0 - x), 16.0 - x), x == 0.0 ? 16.0 : x);",
         &program);
-    assert_true(film_create(&film, &context, 3, 1, &error));
+    assert_true(film_create(&film, &context, 3, 1, 0, &error));
     for (unsigned pass = 0; pass < 10; pass++) run_pass(&film, &program, pass, 16);
     assert_true(film_read(&film, &image, &count, &error));
     assert_true(count.accepted == 10 * (15 + 14) && count.rejected == 10 * (16 + 1 + 2));
@@ -114,7 +114,7 @@ static void test_variance(void **state) {
                 "if (gl_FragCoord.x > 1.0 && pass > 0u) group = vec4(0.0);\n"
                 "film_scatter(group); film_add(group, 0.0);",
                 &program);
-    assert_true(film_create_scatter(&film, &context, 2, 1, &error));
+    assert_true(film_create(&film, &context, 2, 1, FILM_SCATTER, &error));
     assert_true(film_read_variance(&film, rgb, &error));
     assert_true(isnan(rgb[0]));
     for (unsigned pass = 0; pass < GROUPS; pass++) run_pass(&film, &program, pass, 16);
@@ -143,7 +143,7 @@ static void test_uncommitted(void **state) {
     Error error;
     support_open(&context);
     create_pass(&context, "film_add(vec4(1.0, 2.0, floor(gl_FragCoord.y), 1.0), 0.0);", &program);
-    assert_true(film_create(&film, &context, 4, 8, &error));
+    assert_true(film_create(&film, &context, 4, 8, 0, &error));
     run_pass(&film, &program, 0, 1);
     film_begin(&film, &program);
     program_draw(&program, 0, 0, 4, 3);
@@ -159,7 +159,7 @@ static void test_uncommitted(void **state) {
     }
     image_free(&image);
     film_destroy(&film);
-    assert_false(film_create(&film, &context, context.max_texture_size + 1, 1, &error));
+    assert_false(film_create(&film, &context, context.max_texture_size + 1, 1, 0, &error));
     program_destroy(&program);
     context_close(&context);
 }

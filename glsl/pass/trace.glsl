@@ -13,6 +13,7 @@
 #include "pass/camera.glsl"
 #include "pass/film.glsl"
 #include <scatter>
+#include <search>
 
 uniform uint first_sample;
 uniform uint group_samples;
@@ -27,9 +28,10 @@ void main() {
         Sequence sequence = sequence_start(pixel.x, pixel.y, first_sample + i, seed);
         Ray ray = camera_ray(vec2(pixel), sequence_pair(sequence));
         vec3 radiance = path_radiance(ray, max_hits, sequence) + sun_image(pixel, first_sample + i, seed);
-        group += is_finite(radiance) ? vec4(radiance, 1.0) : vec4(0.0);
+        group += is_finite(radiance) && !search_ended() ? vec4(radiance, 1.0) : vec4(0.0);
         i += 1u;
     } while (i < group_samples);
     film_scatter(group);
+    film_search();
     film_add(group, float(group_samples) - group.a);
 }

@@ -26,6 +26,7 @@ typedef struct Job {
     Aov aov;
     Image image;
     FilmCount count;
+    FilmSearch search;
     ProgressFigures figures;
 } Job;
 
@@ -107,7 +108,8 @@ static bool render(Job *job, Error *error) {
         figures->seconds = clock_seconds() - start;
         progress_report(&progress, figures);
     }
-    if (!film_read(film, &job->image, &job->count, error) || !aov_read(&job->aov, film, &job->image, error)) {
+    if (!film_read(film, &job->image, &job->count, error) || !film_read_search(film, &job->search, error) ||
+        !aov_read(&job->aov, film, &job->image, error)) {
         return false;
     }
     figures->paths =
@@ -140,6 +142,12 @@ static void describe(const Job *job, int argc, char **argv, AttributeList *list)
     attribute_add(list, "magichour.seed", "%u", renderer->seed);
     attribute_add(list, "magichour.samples", "%" PRIu64, renderer->film.samples);
     attribute_add(list, "magichour.rejected", "%" PRIu64, job->count.rejected);
+    if (job->search.rays > 0) {
+        attribute_add(list, "magichour.searches",
+                      "%.0f rays, %.2f steps each, %.0f in a field that is no distance, %.0f cut",
+                      job->search.rays, job->search.steps / job->search.rays, job->search.broken,
+                      job->search.cut);
+    }
     attribute_add(list, "magichour.seconds", "%.6f", job->figures.seconds);
     attribute_add(list, "magichour.backend", "%s, %s", job->context.backend->name, job->context.detail);
     attribute_add(list, "magichour.gl_renderer", "%s", job->context.renderer);
@@ -196,6 +204,43 @@ static void say_summary(const Job *job) {
            1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), figures->startup_seconds);
 }
 
+static void warn_search(const Job *job) {
+    const FilmSearch *search = &job->search;
+    const char *path = job->scene.path;
+    if (job->options->verbose && search->rays > 0) {
+        fprintf(stderr, "searches: %.4g rays, %.1f steps each\n", search->rays, search->steps / search->rays);
+    }
+    if (search->broken > 0) {
+        fprintf(stderr,
+                "magichour: warning: %s: %.2g %% of the rays that marched met a field that changes faster "
+                "than the distance: "
+                "there may be holes; divide scene_distance() by its largest slope\n",
+                path, 100 * search->broken / search->rays);
+    }
+    if (search->cut > 0) {
+        fprintf(stderr,
+                "magichour: warning: %s: %.2g %% of the rays that searched were cut after as many steps as "
+                "they may take: they may "
+                "have missed something thin\n",
+                path, 100 * search->cut / search->rays);
+    }
+}
+
+static void warn(const Job *job) {
+    if (job->aov_kinds & AOV_VARIANCE && job->renderer.film.samples <= job->renderer.group_samples) {
+        fprintf(stderr,
+                "magichour: warning: --aov variance is not known from %u samples or fewer: it is NaN\n",
+                job->renderer.group_samples);
+    }
+    if (job->figures.rejected) {
+        fprintf(stderr,
+                "magichour: warning: %" PRIu64 " of %" PRIu64 " samples were not finite%s and are left out\n",
+                job->figures.rejected, job->figures.paths,
+                job->search.rays > 0 ? ", or took more loops than the driver allows," : "");
+    }
+    warn_search(job);
+}
+
 static void release(Job *job) {
     image_free(&job->image);
     aov_destroy(&job->aov);
@@ -218,17 +263,7 @@ Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
     }
     if (ok) {
         if (!options->quiet) say_summary(&job);
-        if (job.aov_kinds & AOV_VARIANCE && job.renderer.film.samples <= job.renderer.group_samples) {
-            fprintf(stderr,
-                    "magichour: warning: --aov variance is not known from %u samples or fewer: it is NaN\n",
-                    job.renderer.group_samples);
-        }
-        if (job.figures.rejected) {
-            fprintf(stderr,
-                    "magichour: warning: %" PRIu64 " of %" PRIu64
-                    " samples were not finite and are left out\n",
-                    job.figures.rejected, job.figures.paths);
-        }
+        warn(&job);
     }
     bool interrupted = job.figures.interrupted;
     release(&job);

@@ -3,23 +3,18 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { SUM, REST, SCATTER };
+enum { SUM, REST, SCATTER, SEARCH };
 
 static size_t pixel_count(const Film *film) {
     return (size_t)film->width * (size_t)film->height;
 }
 
-static bool create(Film *film, const Context *context, int width, int height, int textures, Error *error) {
-    *film = (Film){.width = width, .height = height};
-    return target_create(&film->target, context, width, height, textures, error);
-}
-
-bool film_create(Film *film, const Context *context, int width, int height, Error *error) {
-    return create(film, context, width, height, REST + 1, error);
-}
-
-bool film_create_scatter(Film *film, const Context *context, int width, int height, Error *error) {
-    return create(film, context, width, height, SCATTER + 1, error);
+bool film_create(Film *film, const Context *context, int width, int height, unsigned parts, Error *error) {
+    unsigned outputs = 1U << SUM | 1U << REST;
+    if (parts & FILM_SCATTER) outputs |= 1U << SCATTER;
+    if (parts & FILM_SEARCH) outputs |= 1U << SEARCH;
+    *film = (Film){.width = width, .height = height, .parts = parts};
+    return target_create(&film->target, context, width, height, outputs, error);
 }
 
 void film_destroy(Film *film) {
@@ -33,10 +28,11 @@ void film_reset(Film *film) {
 }
 
 void film_begin(Film *film, const Program *program) {
-    static const char *const names[] = {"film_sum", "film_rest", "film_scatter_sum"};
-    static const int units[] = {0, 1, 9}; /* those between are the other textures' of the pass */
+    static const char *const names[] = {"film_sum", "film_rest", "film_scatter_sum", "film_search_sum"};
+    static const int units[] = {0, 1, 9, 12}; /* those between are the other textures' of the pass */
     target_begin(&film->target, program, names, units);
     program_set_uint(program, "film_zero", 0);
+    program_set_int(program, "search_turns", 2);
 }
 
 void film_commit(Film *film, uint64_t samples) {
@@ -88,5 +84,18 @@ bool film_read_variance(const Film *film, float *rgb, Error *error) {
     }
     free(scatter);
     free(samples);
+    return ok;
+}
+
+bool film_read_search(const Film *film, FilmSearch *search, Error *error) {
+    size_t pixels = pixel_count(film);
+    double sums[4] = {0};
+    *search = (FilmSearch){0};
+    if (!(film->parts & FILM_SEARCH)) return true;
+    float *counts = memory_get(pixels * 4, sizeof *counts);
+    bool ok = target_read(&film->target, SEARCH, counts, error);
+    for (size_t i = 0; ok && i < 4 * pixels; i++) sums[i % 4] += (double)counts[i];
+    free(counts);
+    *search = (FilmSearch){sums[0], sums[1], sums[2], sums[3]};
     return ok;
 }

@@ -11,8 +11,12 @@
  * where samples are independent (--sequence random). The groups of one low-discrepancy sequence fill each
  * other's gaps, which makes the mean better than its groups' scatter tells: there it is an upper estimate.
  *
+ * A film of a scene that searches (march()) has a fourth, `search`: rays that searched, their steps, those
+ * that met a field that is no distance, and those that took all the steps they may.
+ *
  * A pass's fragment shader includes pass/film.glsl and calls film_add() once a pixel, and before it
- * film_scatter() of pass/scatter.glsl, or of pass/scatter_none.glsl. Row 0 is the picture's top. */
+ * film_scatter() of pass/scatter.glsl and film_search() of pass/search.glsl, or of the files NAME_none.glsl.
+ * Row 0 is the picture's top. */
 #pragma once
 
 #include "gl/target.h"
@@ -20,9 +24,12 @@
 
 #include <stdint.h>
 
+enum { FILM_SCATTER = 1, FILM_SEARCH = 2 };
+
 typedef struct Film {
     int width, height;
-    Target target;    /* textures: sum, rest, scatter */
+    unsigned parts;   /* beside sum and rest */
+    Target target;    /* textures: sum, rest, scatter, search */
     uint64_t samples; /* a pixel, in committed passes */
 } Film;
 
@@ -30,10 +37,14 @@ typedef struct FilmCount {
     uint64_t accepted, rejected; /* samples, over all pixels */
 } FilmCount;
 
-MUST_CHECK bool film_create(Film *film, const Context *context, int width, int height, Error *error);
+/* Over all pixels and samples; what was counted beyond 2^24 a pixel is rounded. */
+typedef struct FilmSearch {
+    double rays, steps, broken, cut;
+} FilmSearch;
 
-/* The same with `scatter`, for film_read_variance(). */
-MUST_CHECK bool film_create_scatter(Film *film, const Context *context, int width, int height, Error *error);
+/* `parts`: of FILM_SCATTER, for film_read_variance(), and FILM_SEARCH, for film_read_search(). */
+MUST_CHECK bool film_create(Film *film, const Context *context, int width, int height, unsigned parts,
+                            Error *error);
 void film_destroy(Film *film);
 
 /* Forgets all samples. */
@@ -56,3 +67,6 @@ MUST_CHECK bool film_read_samples(const Film *film, float *samples, Error *error
 /* The estimated variance of each pixel's mean: 3 floats a pixel, NaN where fewer than two groups were taken
  * and it is not known. Of a film with `scatter`. */
 MUST_CHECK bool film_read_variance(const Film *film, float *rgb, Error *error);
+
+/* All zero for a film without `search`. */
+MUST_CHECK bool film_read_search(const Film *film, FilmSearch *search, Error *error);

@@ -2,17 +2,19 @@
 
 #include "gl/texture.h"
 
-static bool create_side(Target *target, int side, Error *error) {
-    static const GLenum outputs[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
+static bool create_side(Target *target, int side, unsigned outputs, Error *error) {
+    GLenum buffers[TARGET_TEXTURES];
     const GlApi *gl = target->gl;
     gl->GenFramebuffers(1, &target->framebuffer[side]);
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer[side]);
-    for (int i = 0; i < target->count; i++) {
+    for (int i = 0; i < TARGET_TEXTURES; i++) {
         GLuint *texture = &target->textures[side][i];
+        buffers[i] = outputs >> i & 1 ? GL_COLOR_ATTACHMENT0 + (GLenum)i : GL_NONE;
+        if (!buffers[i]) continue;
         *texture = texture_create(gl, target->width, target->height, GL_NEAREST, NULL);
-        gl->FramebufferTexture2D(GL_FRAMEBUFFER, outputs[i], GL_TEXTURE_2D, *texture, 0);
+        gl->FramebufferTexture2D(GL_FRAMEBUFFER, buffers[i], GL_TEXTURE_2D, *texture, 0);
     }
-    gl->DrawBuffers(target->count, outputs);
+    gl->DrawBuffers(TARGET_TEXTURES, buffers);
     if (!gl_check(gl, "float textures to draw into", error)) return false;
     GLenum status = gl->CheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
@@ -21,13 +23,14 @@ static bool create_side(Target *target, int side, Error *error) {
     return true;
 }
 
-bool target_create(Target *target, const Context *context, int width, int height, int count, Error *error) {
-    *target = (Target){.gl = &context->gl, .width = width, .height = height, .count = count};
+bool target_create(Target *target, const Context *context, int width, int height, unsigned outputs,
+                   Error *error) {
+    *target = (Target){.gl = &context->gl, .width = width, .height = height};
     if (width > context->max_texture_size || height > context->max_texture_size) {
         return error_set(error, STATUS_USAGE, "picture size %dx%d: this OpenGL's limit is %dx%d", width,
                          height, context->max_texture_size, context->max_texture_size);
     }
-    if (!create_side(target, 0, error) || !create_side(target, 1, error)) {
+    if (!create_side(target, 0, outputs, error) || !create_side(target, 1, outputs, error)) {
         target_destroy(target);
         return false;
     }
@@ -38,7 +41,7 @@ bool target_create(Target *target, const Context *context, int width, int height
 void target_destroy(Target *target) {
     if (!target->gl) return;
     target->gl->DeleteFramebuffers(2, target->framebuffer);
-    for (int side = 0; side < 2; side++) target->gl->DeleteTextures(target->count, target->textures[side]);
+    for (int side = 0; side < 2; side++) target->gl->DeleteTextures(TARGET_TEXTURES, target->textures[side]);
     *target = (Target){0};
 }
 
@@ -46,7 +49,9 @@ void target_clear(Target *target) {
     static const GLfloat zero[4] = {0};
     for (int side = 0; side < 2; side++) {
         target->gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer[side]);
-        for (int i = 0; i < target->count; i++) target->gl->ClearBufferfv(GL_COLOR, i, zero);
+        for (int i = 0; i < TARGET_TEXTURES; i++) {
+            if (target->textures[side][i]) target->gl->ClearBufferfv(GL_COLOR, i, zero);
+        }
     }
 }
 
@@ -54,7 +59,8 @@ void target_begin(const Target *target, const Program *program, const char *cons
     const GlApi *gl = target->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer[1 - target->front]);
     gl->Viewport(0, 0, target->width, target->height);
-    for (int i = 0; i < target->count; i++) {
+    for (int i = 0; i < TARGET_TEXTURES; i++) {
+        if (!target->textures[0][i]) continue;
         gl->ActiveTexture(GL_TEXTURE0 + (GLenum)units[i]);
         gl->BindTexture(GL_TEXTURE_2D, target->textures[target->front][i]);
         program_set_int(program, names[i], units[i]);

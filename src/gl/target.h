@@ -4,18 +4,19 @@
 
 #include "gl/program.h"
 
-enum { TARGET_TEXTURES = 3 };
+enum { TARGET_TEXTURES = 4 };
 
 typedef struct Target {
     const GlApi *gl;
     int width, height;
-    int count;                                           /* of textures a side */
-    GLuint textures[2][TARGET_TEXTURES], framebuffer[2]; /* RGBA32F, the shader's outputs 0 .. count - 1 */
+    GLuint textures[2][TARGET_TEXTURES]; /* RGBA32F, for the shader's output of the same number; 0 is none */
+    GLuint framebuffer[2];
     int front;
 } Target;
 
-/* Cleared. STATUS_USAGE for a size beyond this OpenGL's. */
-MUST_CHECK bool target_create(Target *target, const Context *context, int width, int height, int count,
+/* Cleared. `outputs`: a bit for each of the shader's outputs that there is a texture for. STATUS_USAGE for a
+ * size beyond this OpenGL's. */
+MUST_CHECK bool target_create(Target *target, const Context *context, int width, int height, unsigned outputs,
                               Error *error);
 void target_destroy(Target *target);
 

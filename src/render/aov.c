@@ -68,7 +68,7 @@ bool aov_create(Aov *aov, unsigned kinds, const Context *context, const RenderPa
     *aov = (Aov){.kinds = kinds, .rows_per_second = renderer->rows_per_second};
     if (!(kinds & first_hit)) return true;
     if (!create_program(&aov->program, context, params, renderer, error) ||
-        !target_create(&aov->target, context, camera->width, camera->height, 2, error)) {
+        !target_create(&aov->target, context, camera->width, camera->height, 3, error)) {
         goto fail;
     }
     program_use(&aov->program);

@@ -90,8 +90,14 @@ static int picture_height(const RenderParams *params) {
     return params->height ? params->height : params->scene->height;
 }
 
-/* The functions that a scene owes, looked for in its own text, so that the error is about the scene. */
-static bool check_scene_functions(const RenderParams *params, Error *error) {
+/* What a scene's own text and its includes say, so that nothing more is compiled and errors are about the
+ * scene. */
+typedef struct SceneNeeds {
+    int marches; /* calls of march() */
+    bool search; /* whether its rays search by loops (glsl/shape/search.glsl) */
+} SceneNeeds;
+
+static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *error) {
     static const char *const functions[] = {"scene_intersect", "scene_material"};
     static const char *const signatures[] = {"void scene_intersect(Ray ray, INOUT(Hit) hit)",
                                              "Material scene_material(Hit hit)"};
@@ -103,6 +109,8 @@ static bool check_scene_functions(const RenderParams *params, Error *error) {
         if (glsl_source_defines(&source, functions[i])) continue;
         ok = error_set(error, STATUS_SCENE, "%s:1: missing function: %s", path, signatures[i]);
     }
+    *needs = (SceneNeeds){.marches = glsl_source_calls(&source, "march"),
+                          .search = glsl_source_includes(&source, "shape/search.glsl")};
     glsl_source_destroy(&source);
     return ok;
 }
@@ -120,10 +128,10 @@ static void write_spheres(Text *text, const char *count_name, const char *functi
 }
 
 /* `image`: with the sun's own image. */
-static bool flatten(const Methods *methods, const RenderParams *params, bool image, GlslSource *source,
-                    Error *error) {
+static bool flatten(const Methods *methods, const SceneNeeds *needs, const RenderParams *params, bool image,
+                    GlslSource *source, Error *error) {
     const Scene *scene = params->scene;
-    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 6] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
+    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 7] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
     SkySlotText text;
     Text bounds = {0}, mirrors = {0};
     write_spheres(&bounds, "SCENE_BOUNDS", "scene_bound", scene->bounds, scene->bound_count);
@@ -135,31 +143,26 @@ static bool flatten(const Methods *methods, const RenderParams *params, bool ima
     slot[2] = (GlslSlot){"scene", scene->path, NULL};
     slot[3] = (GlslSlot){"bounds", NULL, text_string(&bounds)};
     slot[4] = (GlslSlot){"scatter", params->variance ? "pass/scatter.glsl" : "pass/scatter_none.glsl", NULL};
-    bool ok = check_scene_functions(params, error) &&
-              glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
+    slot[5] = (GlslSlot){"search", needs->search ? "pass/search.glsl" : "pass/search_none.glsl", NULL};
+    bool ok = glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
     text_free(&bounds);
     text_free(&mirrors);
     return ok;
 }
 
-static bool count_marches(const Methods *methods, const RenderParams *params, int *marches, Error *error) {
-    GlslSource source;
-    if (!flatten(methods, params, false, &source, error)) return false;
-    *marches = glsl_source_calls(&source, "march");
-    glsl_source_destroy(&source);
-    return true;
-}
-
 bool renderer_flatten(const RenderParams *params, GlslSource *source, Error *error) {
     Methods methods;
-    return choose_methods(&methods, params, picture_width(params), picture_height(params), error) &&
-           flatten(&methods, params, false, source, error);
+    SceneNeeds needs;
+    return read_needs(params, &needs, error) &&
+           choose_methods(&methods, params, picture_width(params), picture_height(params), error) &&
+           flatten(&methods, &needs, params, false, source, error);
 }
 
 static bool create_program(Program *program, const Context *context, const Methods *methods,
-                           const RenderParams *params, bool image, Text *files, Error *error) {
+                           const SceneNeeds *needs, const RenderParams *params, bool image, Text *files,
+                           Error *error) {
     GlslSource source;
-    if (!flatten(methods, params, image, &source, error)) return false;
+    if (!flatten(methods, needs, params, image, &source, error)) return false;
     bool ok = program_create(program, &context->gl, &source, error);
     /* A scene that breaks off shows its fault only in the text behind it. */
     if (!ok && strncmp(error->text, params->library, strlen(params->library)) == 0)
@@ -217,25 +220,20 @@ static bool create_light(Renderer *renderer, const Context *context, const Rende
            (!sampler || sky_sampler_create(&renderer->sampler, context, error));
 }
 
-static bool create_film(Film *film, const Context *context, const Camera *camera, bool variance,
-                        Error *error) {
-    return variance ? film_create_scatter(film, context, camera->width, camera->height, error)
-                    : film_create(film, context, camera->width, camera->height, error);
-}
-
 static bool create_parts(Renderer *renderer, const Context *context, const RenderParams *params,
-                         const Methods *methods, Error *error) {
+                         const Methods *methods, const SceneNeeds *needs, Error *error) {
     const Scene *scene = params->scene;
     const Camera *camera = &renderer->camera;
-    if (!create_program(&renderer->program, context, methods, params, false, &renderer->source_files,
+    unsigned parts = (params->variance ? FILM_SCATTER : 0U) | (needs->search ? FILM_SEARCH : 0U);
+    if (!create_program(&renderer->program, context, methods, needs, params, false, &renderer->source_files,
                         error) ||
-        !create_film(&renderer->film, context, camera, params->variance, error) ||
+        !film_create(&renderer->film, context, camera->width, camera->height, parts, error) ||
         !sky_create(&renderer->sky, context, params->library, &methods->sky, &scene->atmosphere, error) ||
         !sun_create(&renderer->sun, context, &methods->sun, scene, camera, error)) {
         return false;
     }
     if (renderer->sun.rectangle_count &&
-        !create_program(&renderer->image_program, context, methods, params, true, NULL, error)) {
+        !create_program(&renderer->image_program, context, methods, needs, params, true, NULL, error)) {
         return false;
     }
     return create_light(renderer, context, params, methods, error);
@@ -246,21 +244,20 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
     int width = picture_width(params), height = picture_height(params);
     SkyState state = {scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg};
     Methods methods;
-    int marches = 0;
+    SceneNeeds needs;
     *renderer = (Renderer){.gl = &context->gl,
                            .seed = params->seed,
                            .max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS};
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
-        !choose_methods(&methods, params, width, height, error) ||
-        !count_marches(&methods, params, &marches, error) ||
-        !choose_group(renderer, &methods, params, width, marches, error)) {
+        !read_needs(params, &needs, error) || !choose_methods(&methods, params, width, height, error) ||
+        !choose_group(renderer, &methods, params, width, needs.marches, error)) {
         goto fail;
     }
     renderer->light = methods.light;
     renderer->sequence = methods.sequence;
     renderer->sun_disk = methods.sun;
     renderer->camera = camera_of(scene, width, height);
-    if (!create_parts(renderer, context, params, &methods, error) ||
+    if (!create_parts(renderer, context, params, &methods, &needs, error) ||
         !set_up(renderer, &renderer->program, scene, &state, error)) {
         goto fail;
     }

@@ -347,3 +347,12 @@ bool glsl_source_defines(const GlslSource *source, const char *function) {
 int glsl_source_calls(const GlslSource *source, const char *function) {
     return count_mentions(source, function, false);
 }
+
+bool glsl_source_includes(const GlslSource *source, const char *file) {
+    size_t length = strlen(file);
+    for (int i = 0; i < source->file_count; i++) {
+        size_t size = strlen(source->files[i]);
+        if (size >= length && strcmp(source->files[i] + size - length, file) == 0) return true;
+    }
+    return false;
+}

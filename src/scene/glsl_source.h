@@ -51,3 +51,6 @@ bool glsl_source_defines(const GlslSource *source, const char *function);
 
 /* How often the text calls a function of that name (outside comments). */
 int glsl_source_calls(const GlslSource *source, const char *function);
+
+/* Whether the file, by the end of its path, is among those that the text was made of. */
+bool glsl_source_includes(const GlslSource *source, const char *file);

@@ -21,5 +21,5 @@ void item(vec4 a, vec4 b, OUT(vec4) c, OUT(vec4) d) {
     float cosine = max(abs(dot(hit.normal, ray.direction)), 1.0e-6);
     c = vec4(hit.t, hit.normal.x, hit.normal.y, hit.normal.z);
     d = vec4(float(hit.object), hit.t < INFINITY ? reach / (t * cosine) : 1.0, hit.t < INFINITY ? 4.0 * reach / cosine : 1.0,
-             float(march_broken + march_cut));
+             float(search_broken + search_cut));
 }
