@@ -115,6 +115,10 @@ static bool render(Job *job, Error *error) {
     figures->paths =
         job->count.accepted + job->count.rejected; /* fewer than samples x pixels if stopped early */
     figures->rejected = job->count.rejected;
+    figures->search_rays = job->search.rays;
+    figures->search_steps = job->search.steps;
+    figures->search_broken = job->search.broken;
+    figures->search_cut = job->search.cut;
     figures->interrupted = interrupt_requested();
     figures->done = true;
     progress_report(&progress, figures);

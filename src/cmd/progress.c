@@ -55,6 +55,12 @@ static void report_json(const ProgressFigures *figures) {
     if (figures->done) {
         fprintf(stderr, ", \"rejected\": %" PRIu64 ", \"interrupted\": %s", figures->rejected,
                 figures->interrupted ? "true" : "false");
+        if (figures->search_rays > 0) {
+            fprintf(stderr,
+                    ", \"search_rays\": %.0f, \"search_steps\": %.0f, \"search_broken\": %.0f, "
+                    "\"search_cut\": %.0f",
+                    figures->search_rays, figures->search_steps, figures->search_broken, figures->search_cut);
+        }
     }
     fputs("}\n", stderr);
 }

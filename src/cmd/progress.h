@@ -20,6 +20,7 @@ typedef struct ProgressFigures {
     double seconds, target_seconds; /* target 0 if only samples limit */
     double startup_seconds;
     uint64_t rejected;
+    double search_rays, search_steps, search_broken, search_cut; /* all 0 where the scene does not search */
     bool done, interrupted;
 } ProgressFigures;
 

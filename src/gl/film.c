@@ -32,7 +32,6 @@ void film_begin(Film *film, const Program *program) {
     static const int units[] = {0, 1, 9, 12}; /* those between are the other textures' of the pass */
     target_begin(&film->target, program, names, units);
     program_set_uint(program, "film_zero", 0);
-    program_set_int(program, "search_turns", 2);
 }
 
 void film_commit(Film *film, uint64_t samples) {

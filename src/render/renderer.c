@@ -14,7 +14,9 @@ enum {
     /* "Unlimited" for the loop's sake: Russian roulette lets a path come so far with a probability below
        1e-22. */
     UNLIMITED_HITS = 1000,
-    MARCH_ITERATIONS = 200 /* at most, of one march() (glsl/shape/march.glsl), were the field without loops */
+    /* Of one march(): some 20 are usual, the most is MARCH_STEPS (glsl/shape/march.glsl). What goes beyond
+       all loops together is noticed (glsl/pass/search.glsl) and counted. */
+    MARCH_ITERATIONS = 200
 };
 
 typedef struct Methods {

@@ -1,0 +1,87 @@
+/* What goes wrong in searches of distance fields is noticed, counted and said. */
+#include "support.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char scene[] = "//@ camera eye 0 1 -4 target 0 0.5 0 fov 60\n"
+                            "#include \"material/matte.glsl\"\n"
+                            "#include \"shape/march.glsl\"\n"
+                            "#include \"shape/plane.glsl\"\n"
+                            "uniform int none;\n"
+                            "float scene_distance(vec3 p) { %s }\n"
+                            "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
+                            "    hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit);\n"
+                            "    march(ray, 1, hit);\n"
+                            "}\n"
+                            "Material scene_material(Hit hit) { return matte(vec3(0.5)); }\n";
+
+#define BALL "length(p - vec3(0.0, 1.0, 0.0)) - 0.5"
+
+/* Renders the field; what was said is in support_err. */
+static void render(const char *body, const char *options) {
+    char text[2048];
+    snprintf(text, sizeof text, scene, body);
+    const char *path = support_write("field.glsl", text), *out = support_path("field.exr");
+    int status = support_run("", "render '%s' -o '%s' --size 32x32 --sky uniform -v --progress json %s", path, out,
+                             options);
+    if (status) fail_msg("exit status %d: %s", status, support_err);
+}
+
+static double field(const char *name) {
+    double value = -1;
+    char key[64];
+    snprintf(key, sizeof key, "\"%s\": ", name);
+    const char *done = strstr(support_err, "\"done\": true");
+    const char *at = done ? strstr(done, key) : NULL;
+    if (at) sscanf(at + strlen(key), "%lf", &value);
+    return value;
+}
+
+static void test_honest(void **state) {
+    (void)state;
+    render("return " BALL ";", "--spp 4");
+    double rays = field("search_rays"), steps = field("search_steps");
+    print_message("a ball: %g rays, %.1f steps each\n", rays, steps / rays);
+    assert_true(rays >= 32 * 32 * 4 && steps / rays > 1 && steps / rays < 40);
+    assert_true(field("search_broken") == 0 && field("search_cut") == 0 && field("rejected") == 0);
+    assert_null(strstr(support_err, "warning"));
+}
+
+static void test_steep(void **state) {
+    (void)state;
+    render("return 3.0 * (" BALL ");", "--spp 4");
+    assert_true(field("search_broken") > 100);
+    assert_non_null(strstr(support_err, "field.glsl"));
+    assert_non_null(strstr(support_err, "changes faster than the distance"));
+}
+
+/* A field that is tiny everywhere: no surface in any number of steps. */
+static void test_cut(void **state) {
+    (void)state;
+    render("return 1.0e-5 * (" BALL ");", "--spp 1");
+    assert_true(field("search_cut") > 100);
+    assert_non_null(strstr(support_err, "were cut"));
+}
+
+/* Loops of the field's own, of which nobody knows: llvmpipe ends them all without a word, and the sample does not
+ * count. 3,000 evaluations' worth, so that a driver without that limit is done in no time. */
+static void test_loops(void **state) {
+    (void)state;
+    render("float d = " BALL "; int i = 0; do { i++; d += float(none); } while (i < 30000 + none); return d;",
+           "--spp 1 --size 8x8 --depth 1");
+    if (!strstr(support_err, "llvmpipe")) skip();
+    print_message("%g of 64 samples rejected\n", field("rejected"));
+    assert_true(field("rejected") == 64);
+    assert_non_null(strstr(support_err, "more loops than the driver allows"));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_honest),
+        cmocka_unit_test(test_steep),
+        cmocka_unit_test(test_cut),
+        cmocka_unit_test(test_loops),
+    };
+    return cmocka_run_group_tests_name("search", tests, support_folder, support_clean);
+}
