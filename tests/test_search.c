@@ -23,8 +23,8 @@ static void render(const char *body, const char *options) {
     char text[2048];
     snprintf(text, sizeof text, scene, body);
     const char *path = support_write("field.glsl", text), *out = support_path("field.exr");
-    int status = support_run("", "render '%s' -o '%s' --size 32x32 --sky uniform -v --progress json %s", path, out,
-                             options);
+    int status = support_run("", "render '%s' -o '%s' --size 32x32 --sky uniform -v --progress json %s", path,
+                             out, options);
     if (status) fail_msg("exit status %d: %s", status, support_err);
 }
 
@@ -64,8 +64,8 @@ static void test_cut(void **state) {
     assert_non_null(strstr(support_err, "were cut"));
 }
 
-/* Loops of the field's own, of which nobody knows: llvmpipe ends them all without a word, and the sample does not
- * count. 3,000 evaluations' worth, so that a driver without that limit is done in no time. */
+/* Loops of the field's own, of which nobody knows: llvmpipe ends them all without a word, and the sample does
+ * not count. 3,000 evaluations' worth, so that a driver without that limit is done in no time. */
 static void test_loops(void **state) {
     (void)state;
     render("float d = " BALL "; int i = 0; do { i++; d += float(none); } while (i < 30000 + none); return d;",

@@ -12,6 +12,12 @@ vec3 film_opaque(vec3 v) {
     return uintBitsToFloat(floatBitsToUint(v) ^ uvec3(film_zero));
 }
 
+// How many samples the pixel has, with those that were rejected.
+uint film_samples() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    return uint(texelFetch(film_sum, pixel, 0).a + texelFetch(film_rest, pixel, 0).a);
+}
+
 // `group`: the radiance of the accepted samples summed, and in alpha their number.
 void film_add(vec4 group, float rejected) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -15,7 +15,6 @@
 #include <scatter>
 #include <search>
 
-uniform uint first_sample;
 uniform uint group_samples;
 uniform uint seed;
 uniform int max_hits;
@@ -23,6 +22,7 @@ uniform int max_hits;
 void main() {
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     vec4 group = vec4(0.0);
+    uint first_sample = film_samples();
     uint i = 0u;
     do {
         Sequence sequence = sequence_start(pixel.x, pixel.y, first_sample + i, seed);

@@ -34,6 +34,10 @@ void film_begin(Film *film, const Program *program) {
     program_set_uint(program, "film_zero", 0);
 }
 
+void film_keep(Film *film) {
+    target_keep(&film->target);
+}
+
 void film_commit(Film *film, uint64_t samples) {
     target_swap(&film->target);
     film->samples += samples;

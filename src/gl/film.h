@@ -30,7 +30,7 @@ typedef struct Film {
     int width, height;
     unsigned parts;   /* beside sum and rest */
     Target target;    /* textures: sum, rest, scatter, search */
-    uint64_t samples; /* a pixel, in committed passes */
+    uint64_t samples; /* a pixel, in committed passes over all pixels */
 } Film;
 
 typedef struct FilmCount {
@@ -53,6 +53,10 @@ void film_reset(Film *film);
 /* Starts a pass: binds the back side as target and the front side as the textures that pass/film.glsl reads.
  * The program must be in use. Any number of draws may follow, each on rows of its own. */
 void film_begin(Film *film, const Program *program);
+
+/* For a pass over a part of the pixels: the others stay as they are. Before film_begin(), and again whenever
+ * the part is another one. */
+void film_keep(Film *film);
 
 /* Ends a pass in which every pixel was drawn once: the back becomes the front. A pass that is begun and not
  * committed never was. */

@@ -2,19 +2,26 @@
 
 #include "gl/texture.h"
 
-static bool create_side(Target *target, int side, unsigned outputs, Error *error) {
+/* The textures that there are, as what the bound framebuffer is drawn into. */
+static void draw_to_all(const Target *target) {
     GLenum buffers[TARGET_TEXTURES];
+    for (int i = 0; i < TARGET_TEXTURES; i++)
+        buffers[i] = target->textures[0][i] ? GL_COLOR_ATTACHMENT0 + (GLenum)i : GL_NONE;
+    target->gl->DrawBuffers(TARGET_TEXTURES, buffers);
+}
+
+static bool create_side(Target *target, int side, unsigned outputs, Error *error) {
     const GlApi *gl = target->gl;
     gl->GenFramebuffers(1, &target->framebuffer[side]);
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer[side]);
     for (int i = 0; i < TARGET_TEXTURES; i++) {
         GLuint *texture = &target->textures[side][i];
-        buffers[i] = outputs >> i & 1 ? GL_COLOR_ATTACHMENT0 + (GLenum)i : GL_NONE;
-        if (!buffers[i]) continue;
+        if (!(outputs >> i & 1)) continue;
         *texture = texture_create(gl, target->width, target->height, GL_NEAREST, NULL);
-        gl->FramebufferTexture2D(GL_FRAMEBUFFER, buffers[i], GL_TEXTURE_2D, *texture, 0);
+        gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + (GLenum)i, GL_TEXTURE_2D, *texture,
+                                 0);
     }
-    gl->DrawBuffers(TARGET_TEXTURES, buffers);
+    draw_to_all(target);
     if (!gl_check(gl, "float textures to draw into", error)) return false;
     GLenum status = gl->CheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
@@ -66,6 +73,22 @@ void target_begin(const Target *target, const Program *program, const char *cons
         program_set_int(program, names[i], units[i]);
     }
     gl->ActiveTexture(GL_TEXTURE0);
+}
+
+void target_keep(Target *target) {
+    const GlApi *gl = target->gl;
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer[target->front]);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target->framebuffer[1 - target->front]);
+    for (int i = 0; i < TARGET_TEXTURES; i++) {
+        GLenum none_before[TARGET_TEXTURES] = {GL_NONE};
+        if (!target->textures[0][i]) continue;
+        none_before[i] = GL_COLOR_ATTACHMENT0 + (GLenum)i;
+        gl->ReadBuffer(none_before[i]);
+        gl->DrawBuffers(i + 1, none_before);
+        gl->BlitFramebuffer(0, 0, target->width, target->height, 0, 0, target->width, target->height,
+                            GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
+    draw_to_all(target);
 }
 
 void target_swap(Target *target) {

@@ -27,6 +27,9 @@ void target_clear(Target *target);
  * units[i]. The program must be in use. */
 void target_begin(const Target *target, const Program *program, const char *const *names, const int *units);
 
+/* Copies the front to the back, for a pass that does not draw all of it. */
+void target_keep(Target *target);
+
 /* The back becomes the front. */
 void target_swap(Target *target);
 

@@ -65,7 +65,7 @@ static bool create_program(Program *program, const Context *context, const Rende
 bool aov_create(Aov *aov, unsigned kinds, const Context *context, const RenderParams *params,
                 const Renderer *renderer, Error *error) {
     const Camera *camera = &renderer->camera;
-    *aov = (Aov){.kinds = kinds, .rows_per_second = renderer->rows_per_second};
+    *aov = (Aov){.kinds = kinds, .pixels_per_second = renderer->pixels_per_second};
     if (!(kinds & first_hit)) return true;
     if (!create_program(&aov->program, context, params, renderer, error) ||
         !target_create(&aov->target, context, camera->width, camera->height, 3, error)) {
@@ -96,7 +96,8 @@ static bool add_group(Aov *aov, unsigned group, bool (*stop)(void)) {
     program_set_uint(&aov->program, "first_sample", aov->samples);
     program_set_uint(&aov->program, "group_samples", group);
     target_begin(target, &aov->program, names, units);
-    if (!strips_draw(&aov->program, target->width, target->height, &aov->rows_per_second, stop)) return false;
+    Rectangle all = {0, 0, target->width, target->height};
+    if (!strips_draw(&aov->program, &all, 1, &aov->pixels_per_second, stop)) return false;
     target_swap(&aov->target);
     aov->samples += group;
     return true;

@@ -30,7 +30,7 @@ typedef struct Aov {
     Program program; /* empty unless one of the first three is asked for */
     Target target;
     unsigned samples; /* a pixel */
-    double rows_per_second;
+    double pixels_per_second;
 } Aov;
 
 /* The kinds of a list such as "albedo,normal"; NULL is none. STATUS_USAGE for names that are not known or

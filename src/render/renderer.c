@@ -42,8 +42,8 @@ static long hit_iterations(const Methods *methods, const Scene *scene, int march
 }
 
 /* `marches`: calls of march(). Where a scene marches, "unlimited" is as many hits as the loops allow. */
-static bool choose_group(Renderer *renderer, const Methods *methods, const RenderParams *params, int width,
-                         int marches, Error *error) {
+static bool choose_group(Renderer *renderer, const Methods *methods, const RenderParams *params, int marches,
+                         Error *error) {
     const MethodChoice *sky = &methods->sky;
     long hit = hit_iterations(methods, params->scene, marches);
     long others = 1 + (sky->table ? 0 : sky->iterations) * (uses_control(methods) ? 2 : 1);
@@ -62,7 +62,7 @@ static bool choose_group(Renderer *renderer, const Methods *methods, const Rende
     while (renderer->group_samples * iterations > LOOP_LIMIT) renderer->group_samples /= 2;
     /* For the first draw, a guess on the low side: hits are few, the sky's loop is run in full. */
     long likely = 10 + (sky->table ? 0 : sky->iterations);
-    renderer->rows_per_second = 1e8 / ((double)renderer->group_samples * (double)likely * width);
+    renderer->pixels_per_second = 1e8 / ((double)renderer->group_samples * (double)likely);
     return true;
 }
 
@@ -252,7 +252,7 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
                            .max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS};
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
         !read_needs(params, &needs, error) || !choose_methods(&methods, params, width, height, error) ||
-        !choose_group(renderer, &methods, params, width, needs.marches, error)) {
+        !choose_group(renderer, &methods, params, needs.marches, error)) {
         goto fail;
     }
     renderer->light = methods.light;
@@ -286,30 +286,57 @@ void renderer_destroy(Renderer *renderer) {
 
 static void begin(Renderer *renderer, const Program *program, unsigned group) {
     program_use(program);
-    program_set_uint(program, "first_sample", (unsigned)renderer->film.samples);
     program_set_uint(program, "group_samples", group);
     film_begin(&renderer->film, program);
 }
 
-/* The pixels that may hold the sun's own image, once more and now with it. */
-static void draw_sun_image(Renderer *renderer, unsigned group) {
+static int largest(int a, int b) {
+    return a > b ? a : b;
+}
+
+/* The pixels of the regions that may hold the sun's own image, once more and now with it. */
+static void draw_sun_image(Renderer *renderer, const Rectangle *regions, int count, unsigned group) {
     if (!renderer->sun.rectangle_count) return;
     begin(renderer, &renderer->image_program, group);
-    for (int i = 0; i < renderer->sun.rectangle_count; i++) {
-        const Rectangle *r = &renderer->sun.rectangles[i];
-        program_draw(&renderer->image_program, r->x, r->y, r->width, r->height);
+    for (int i = 0; i < renderer->sun.rectangle_count * count; i++) {
+        const Rectangle *a = &renderer->sun.rectangles[i / count], *b = &regions[i % count];
+        int x = largest(a->x, b->x), y = largest(a->y, b->y);
+        int right = -largest(-a->x - a->width, -b->x - b->width);
+        int bottom = -largest(-a->y - a->height, -b->y - b->height);
+        if (right > x && bottom > y) program_draw(&renderer->image_program, x, y, right - x, bottom - y);
     }
     renderer->gl->Finish();
 }
 
+/* False when stopped. */
+static bool draw_group(Renderer *renderer, const Rectangle *regions, int count, unsigned group,
+                       bool (*stop)(void)) {
+    begin(renderer, &renderer->program, group);
+    if (!strips_draw(&renderer->program, regions, count, &renderer->pixels_per_second, stop)) return false;
+    draw_sun_image(renderer, regions, count, group);
+    return true;
+}
+
 bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error) {
     Film *film = &renderer->film;
+    Rectangle all = {0, 0, film->width, film->height};
     unsigned group = samples < renderer->group_samples ? (unsigned)samples : renderer->group_samples;
-    begin(renderer, &renderer->program, group);
-    bool stopped =
-        !strips_draw(&renderer->program, film->width, film->height, &renderer->rows_per_second, stop);
-    if (!stopped) draw_sun_image(renderer, group);
+    bool stopped = !draw_group(renderer, &all, 1, group, stop);
     if (!gl_check(renderer->gl, "drawing a pass", error)) return false;
     if (!stopped || film->samples == 0) film_commit(film, group);
     return true;
+}
+
+bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, uint64_t samples,
+                     bool (*stop)(void), uint64_t *taken, Error *error) {
+    *taken = 0;
+    film_keep(&renderer->film);
+    while (*taken < samples) {
+        uint64_t left = samples - *taken;
+        unsigned group = left < renderer->group_samples ? (unsigned)left : renderer->group_samples;
+        if (!draw_group(renderer, regions, count, group, stop)) break;
+        film_commit(&renderer->film, 0);
+        *taken += group;
+    }
+    return gl_check(renderer->gl, "refining regions", error);
 }

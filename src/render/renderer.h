@@ -38,9 +38,9 @@ typedef struct Renderer {
     MethodChoice light, sequence, sun_disk;
     int max_hits;
     unsigned seed;
-    unsigned group_samples; /* per pass; the last pass may take fewer */
-    double rows_per_second; /* measured; sizes the draws */
-    Text source_files;      /* what was compiled, for -v */
+    unsigned group_samples;   /* per pass; the last pass may take fewer */
+    double pixels_per_second; /* of a group, measured; sizes the draws */
+    Text source_files;        /* what was compiled, for -v */
 } Renderer;
 
 /* The fragment shader that these parameters ask for, as one text: the methods, the scene and what they
@@ -60,3 +60,8 @@ void renderer_set_parameters(const Program *program, const Scene *scene);
  * times a second: when it says yes, the unfinished group is dropped, or kept as far as it came if it is the
  * first. False on failure; being stopped is not one. */
 MUST_CHECK bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error);
+
+/* Adds `samples` to each pixel of these regions, which do not overlap, and none elsewhere; film.samples stays
+ * what it is. When `stop` says yes, after fewer: `taken`, whole groups. */
+MUST_CHECK bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, uint64_t samples,
+                                bool (*stop)(void), uint64_t *taken, Error *error);

@@ -4,21 +4,31 @@
 
 #include <math.h>
 
-static int strip_rows(double rows_per_second, int rows_left) {
+/* Rows of a region of that width for so many pixels: at least one, and a power of two, which drivers' tiles
+ * like. */
+static int strip_rows(double pixels, int width, int rows_left) {
     int rows = 1;
-    while (rows < rows_left && rows * 2 < rows_per_second * 0.1) rows *= 2;
+    while (rows < rows_left && 2.0 * rows * width < pixels) rows *= 2;
     return rows < rows_left ? rows : rows_left;
 }
 
-bool strips_draw(const Program *program, int width, int height, double *rows_per_second, bool (*stop)(void)) {
-    for (int row = 0; row < height;) {
-        int rows = strip_rows(*rows_per_second, height - row);
-        double start = clock_seconds();
-        program_draw(program, 0, row, width, rows);
-        program->gl->Finish();
-        *rows_per_second = rows / fmax(clock_seconds() - start, 1e-6);
-        row += rows;
-        if (row < height && stop && stop()) return false;
+bool strips_draw(const Program *program, const Rectangle *regions, int count, double *pixels_per_second,
+                 bool (*stop)(void)) {
+    double start = clock_seconds(), piece = 0.1 * *pixels_per_second, drawn = 0;
+    for (int i = 0; i < count; i++) {
+        const Rectangle *region = &regions[i];
+        for (int row = 0; row < region->height;) {
+            int rows = strip_rows(piece - drawn, region->width, region->height - row);
+            program_draw(program, region->x, region->y + row, region->width, rows);
+            row += rows;
+            drawn += (double)rows * region->width;
+            bool last = i == count - 1 && row == region->height;
+            if (drawn < 0.5 * piece && !last) continue;
+            program->gl->Finish();
+            *pixels_per_second = drawn / fmax(clock_seconds() - start, 1e-6);
+            if (!last && stop && stop()) return false;
+            start = clock_seconds(), piece = 0.1 * *pixels_per_second, drawn = 0;
+        }
     }
     return true;
 }
