@@ -105,6 +105,10 @@ static bool take_seconds(Options *options, const char *name, const char *value, 
     return number_parse_range(name, value, 1e-3, 1e9, &options->seconds, error);
 }
 
+static bool take_error(Options *options, const char *name, const char *value, Error *error) {
+    return number_parse_range(name, value, 1e-3, 1e3, &options->error_percent, error);
+}
+
 static bool take_exposure(Options *options, const char *name, const char *value, Error *error) {
     options->has_exposure = true;
     return number_parse_range(name, value, -64, 64, &options->exposure_ev, error);
@@ -181,8 +185,10 @@ static const Option table[] = {
            "control, cosine, mis or paper; control where the sky is a table and the scene has bounds, else "
            "cosine"),
     STRING("--sequence", "METHOD", R | F, sequence, "sobol, additive or random; sobol by default"),
-    TAKE("--spp", "N", R, take_samples, "samples per pixel; 64 by default"),
+    TAKE("--error", "PERCENT", R, take_error,
+         "stop when the estimated relRMSE is this; 1 by default, unless --spp or --time is given"),
     TAKE("--time", "SECONDS", R, take_seconds, "stop after this time, with whole groups of samples"),
+    TAKE("--spp", "N", R, take_samples, "take so many samples of every pixel"),
     TAKE("--seed", "N", R, take_seed, "of all random numbers; 0 by default"),
     TAKE("--depth", "N", R, take_depth, "at most N surface hits; 0, the default, is unlimited"),
     TAKE("--exposure", "EV", R | S, take_exposure, "for .png: radiance times 2^EV; the scene's by default"),

@@ -31,7 +31,7 @@ typedef struct Options {
     const char *settings[64]; /* "NAME=VALUE" */
     int setting_count;
     unsigned long long samples;
-    double seconds;
+    double seconds, error_percent; /* 0 when absent */
     unsigned seed;
     int depth;
     bool has_exposure;

@@ -5,6 +5,7 @@
 #include "cmd/progress.h"
 #include "cmd/setup.h"
 #include "image/image.h"
+#include "render/adaptive.h"
 #include "render/aov.h"
 #include "render/renderer.h"
 
@@ -14,7 +15,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEFAULT_SAMPLES = 64 };
+/* relRMSE, unless something else is asked for. */
+static const double default_error_percent = 1;
+
+/* Where the sun itself is in the picture, errors are judged without so many of the pixels, the worst. */
+static const double sun_trim = 0.001;
 
 typedef struct Job {
     const Options *options;
@@ -22,6 +27,7 @@ typedef struct Job {
     Scene scene;
     Context context;
     Renderer renderer;
+    Adaptive adaptive;
     unsigned aov_kinds;
     Aov aov;
     Image image;
@@ -51,11 +57,6 @@ static bool check_aov(const Options *options, unsigned *kinds, Error *error) {
     return !*kinds || error_set(error, STATUS_USAGE, "--aov: only .exr holds layers, and no -o names one");
 }
 
-/* A pixel; 0 where only time limits. */
-static uint64_t wanted_samples(const Options *options) {
-    return options->samples ? options->samples : options->seconds > 0 ? 0 : DEFAULT_SAMPLES;
-}
-
 static bool prepare(Job *job, Error *error) {
     const Options *options = job->options;
     if (!check_outputs(options, error) || !check_aov(options, &job->aov_kinds, error) ||
@@ -73,45 +74,69 @@ static bool prepare(Job *job, Error *error) {
                            .height = options->height,
                            .seed = options->seed,
                            .max_hits = options->depth,
-                           .samples = wanted_samples(options),
+                           .samples = options->samples,
                            .variance = job->aov_kinds & AOV_VARIANCE};
+    if (options->error_percent > 0 && options->samples) {
+        return error_set(error, STATUS_USAGE,
+                         "--error takes as many samples as it needs, --spp takes so many: one of them");
+    }
     return context_open(&job->context, options->backend, error) &&
            renderer_create(&job->renderer, &job->context, &params, error) &&
            aov_create(&job->aov, job->aov_kinds, &job->context, &params, &job->renderer, error);
 }
 
+/* The error to stop at; 0 is none. */
+static double wanted_error(const Options *options) {
+    if (options->error_percent > 0) return options->error_percent;
+    return options->samples || options->seconds > 0 ? 0 : default_error_percent;
+}
+
 static bool enough(const ProgressFigures *figures) {
-    if (figures->target_samples && figures->samples >= figures->target_samples) return true;
+    if (figures->target_samples && figures->samples >= (double)figures->target_samples) return true;
+    if (figures->target_error_percent > 0 && figures->error_percent <= figures->target_error_percent)
+        return true;
     return figures->target_seconds > 0 && figures->seconds >= figures->target_seconds;
 }
 
-static bool render(Job *job, Error *error) {
+/* Towards less error than there is by now, if time is all that limits. */
+static bool sample(Job *job, Error *error) {
+    const ProgressFigures *figures = &job->figures;
+    double percent = figures->target_error_percent;
+    if (figures->target_samples)
+        return adaptive_pass(&job->adaptive, &job->renderer, figures->target_samples, interrupt_requested,
+                             error);
+    if (!(percent > 0)) percent = 0.7 * figures->error_percent;
+    return adaptive_round(&job->adaptive, &job->renderer, percent, interrupt_requested, error);
+}
+
+static bool read_picture(Job *job, Error *error) {
     const Film *film = &job->renderer.film;
+    return film_read(film, &job->image, &job->count, error) && film_read_search(film, &job->search, error) &&
+           aov_read(&job->aov, film, &job->image, error);
+}
+
+static bool render(Job *job, Error *error) {
     const Options *options = job->options;
     ProgressFigures *figures = &job->figures;
     Progress progress = progress_start(options);
-    uint64_t pixels = (uint64_t)film->width * (uint64_t)film->height;
-    figures->target_samples = options->samples       ? options->samples
-                              : options->seconds > 0 ? 0
-                                                     : DEFAULT_SAMPLES;
-    figures->target_seconds = options->seconds;
+    double pixels = (double)job->renderer.film.width * job->renderer.film.height;
     double start = clock_seconds();
+    job->adaptive = adaptive_create(&job->renderer, job->renderer.sun.rectangle_count ? sun_trim : 0);
+    figures->target_samples = options->samples;
+    figures->target_seconds = options->seconds;
+    figures->target_error_percent = wanted_error(options);
+    figures->error_percent = INFINITY;
+    if (options->seconds > 0) job->adaptive.deadline = start + options->seconds;
     while (!enough(figures) && !interrupt_requested()) {
-        uint64_t most = figures->target_samples ? figures->target_samples : UINT32_MAX;
-        if (film->samples >= most) break;
-        if (!renderer_pass(&job->renderer, most - film->samples, interrupt_requested, error) ||
-            !aov_pass(&job->aov, &job->renderer, interrupt_requested, error)) {
+        if (!sample(job, error) || !aov_pass(&job->aov, &job->renderer, interrupt_requested, error))
             return false;
-        }
-        figures->samples = film->samples;
-        figures->paths = film->samples * pixels;
+        figures->paths = job->adaptive.paths;
+        figures->samples = (double)figures->paths / pixels;
+        figures->error_percent = adaptive_percent(&job->adaptive);
         figures->seconds = clock_seconds() - start;
         progress_report(&progress, figures);
     }
-    if (!film_read(film, &job->image, &job->count, error) || !film_read_search(film, &job->search, error) ||
-        !aov_read(&job->aov, film, &job->image, error)) {
-        return false;
-    }
+    if (!read_picture(job, error)) return false;
     figures->paths =
         job->count.accepted + job->count.rejected; /* fewer than samples x pixels if stopped early */
     figures->rejected = job->count.rejected;
@@ -144,7 +169,11 @@ static void describe(const Job *job, int argc, char **argv, AttributeList *list)
     if (job->options->aov) attribute_add(list, "magichour.aov", "%s", job->options->aov);
     attribute_add(list, "magichour.depth", "%d", job->options->depth);
     attribute_add(list, "magichour.seed", "%u", renderer->seed);
-    attribute_add(list, "magichour.samples", "%" PRIu64, renderer->film.samples);
+    attribute_add(list, "magichour.samples", "%.6g", job->figures.samples);
+    attribute_add(list, "magichour.samples_range", "%" PRIu64 " to %" PRIu64, job->adaptive.least,
+                  job->adaptive.most);
+    if (job->figures.error_percent < INFINITY)
+        attribute_add(list, "magichour.error_percent", "%.4g", job->figures.error_percent);
     attribute_add(list, "magichour.rejected", "%" PRIu64, job->count.rejected);
     if (job->search.rays > 0) {
         attribute_add(list, "magichour.searches",
@@ -201,11 +230,20 @@ static void say_choices(const Job *job) {
 
 static void say_summary(const Job *job) {
     const ProgressFigures *figures = &job->figures;
+    const Adaptive *adaptive = &job->adaptive;
     for (int i = 0; i < job->options->output_count; i++)
         printf("%s%s", i ? ", " : "", job->options->outputs[i]);
-    printf(": %" PRIu64 " samples, %.4g Mpaths in %.2f s, %.2f Mpaths/s (and %.2f s to start)\n",
-           figures->samples, 1e-6 * (double)figures->paths, figures->seconds,
-           1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), figures->startup_seconds);
+    printf(": %.4g samples", figures->samples);
+    if (adaptive->most > adaptive->least)
+        printf(" (%" PRIu64 " to %" PRIu64 ")", adaptive->least, adaptive->most);
+    printf(", %.4g Mpaths in %.2f s, %.2f Mpaths/s (and %.2f s to start)", 1e-6 * (double)figures->paths,
+           figures->seconds, 1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9),
+           figures->startup_seconds);
+    if (figures->error_percent < INFINITY) {
+        printf("; estimated error %.3g %%%s", figures->error_percent,
+               adaptive->noise.trim > 0 ? " without the 0.1 % worst pixels" : "");
+    }
+    printf("\n");
 }
 
 static void warn_search(const Job *job) {
@@ -231,7 +269,7 @@ static void warn_search(const Job *job) {
 }
 
 static void warn(const Job *job) {
-    if (job->aov_kinds & AOV_VARIANCE && job->renderer.film.samples <= job->renderer.group_samples) {
+    if (job->aov_kinds & AOV_VARIANCE && job->adaptive.least <= job->renderer.group_samples) {
         fprintf(stderr,
                 "magichour: warning: --aov variance is not known from %u samples or fewer: it is NaN\n",
                 job->renderer.group_samples);
@@ -248,6 +286,7 @@ static void warn(const Job *job) {
 static void release(Job *job) {
     image_free(&job->image);
     aov_destroy(&job->aov);
+    adaptive_destroy(&job->adaptive);
     renderer_destroy(&job->renderer);
     context_close(&job->context);
     scene_destroy(&job->scene);

@@ -25,9 +25,11 @@ static int terminal_columns(void) {
 
 static double seconds_left(const ProgressFigures *figures) {
     double left = INFINITY;
-    if (figures->target_samples && figures->samples) {
-        left = figures->seconds * ((double)figures->target_samples / (double)figures->samples - 1);
-    }
+    if (figures->target_samples && figures->samples > 0)
+        left = figures->seconds * ((double)figures->target_samples / figures->samples - 1);
+    /* The error falls by the root of the time, or a little faster. */
+    if (figures->target_error_percent > 0 && figures->error_percent < INFINITY)
+        left = figures->seconds * (pow(figures->error_percent / figures->target_error_percent, 2) - 1);
     if (figures->target_seconds > 0) left = fmin(left, figures->target_seconds - figures->seconds);
     return fmax(left, 0);
 }
@@ -37,10 +39,14 @@ static void report_terminal(Progress *progress, const ProgressFigures *figures) 
         if (progress->line) fputs("\r\033[K", stderr);
         return;
     }
-    char line[160], target[32] = "";
+    char line[200], target[32] = "", reached[64] = "", left[32] = "";
     if (figures->target_samples) snprintf(target, sizeof target, " of %" PRIu64, figures->target_samples);
-    snprintf(line, sizeof line, "%" PRIu64 "%s samples, %.1f Mpaths/s, %.0f s left", figures->samples, target,
-             1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), ceil(seconds_left(figures)));
+    if (figures->error_percent < INFINITY)
+        snprintf(reached, sizeof reached, "error about %.2g %%, ", figures->error_percent);
+    if (seconds_left(figures) < INFINITY)
+        snprintf(left, sizeof left, ", %.0f s left", ceil(seconds_left(figures)));
+    snprintf(line, sizeof line, "%s%.0f%s samples, %.1f Mpaths/s%s", reached, figures->samples, target,
+             1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), left);
     /* Cut to the window, or the line would wrap and scroll at each report. */
     fprintf(stderr, "\r%.*s\033[K", terminal_columns() - 1, line);
     progress->line = true;
@@ -48,10 +54,12 @@ static void report_terminal(Progress *progress, const ProgressFigures *figures) 
 
 static void report_json(const ProgressFigures *figures) {
     fprintf(stderr,
-            "{\"done\": %s, \"samples\": %" PRIu64 ", \"paths\": %" PRIu64 ", \"seconds\": %.6f, "
+            "{\"done\": %s, \"samples\": %.6g, \"paths\": %" PRIu64 ", \"seconds\": %.6f, "
             "\"startup_seconds\": %.6f, \"paths_per_s\": %.6g",
             figures->done ? "true" : "false", figures->samples, figures->paths, figures->seconds,
             figures->startup_seconds, (double)figures->paths / fmax(figures->seconds, 1e-9));
+    if (figures->error_percent < INFINITY)
+        fprintf(stderr, ", \"error_percent\": %.4g", figures->error_percent);
     if (figures->done) {
         fprintf(stderr, ", \"rejected\": %" PRIu64 ", \"interrupted\": %s", figures->rejected,
                 figures->interrupted ? "true" : "false");

@@ -15,9 +15,12 @@ typedef struct Progress {
 
 /* One report's figures; times in seconds. */
 typedef struct ProgressFigures {
-    uint64_t samples, target_samples; /* a pixel; target 0 if only time limits */
+    double samples;          /* mean of the pixels' */
+    uint64_t target_samples; /* 0 if something else limits */
     uint64_t paths;
-    double seconds, target_seconds; /* target 0 if only samples limit */
+    double error_percent,
+        target_error_percent;       /* estimated relRMSE, infinite while it is not known; target 0 is none */
+    double seconds, target_seconds; /* target 0 if something else limits */
     double startup_seconds;
     uint64_t rejected;
     double search_rays, search_steps, search_broken, search_cut; /* all 0 where the scene does not search */

@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include "base/clock.h"
 #include "base/text.h"
 #include "render/strips.h"
 
@@ -328,10 +329,10 @@ bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Err
 }
 
 bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, uint64_t samples,
-                     bool (*stop)(void), uint64_t *taken, Error *error) {
+                     double deadline, bool (*stop)(void), uint64_t *taken, Error *error) {
     *taken = 0;
     film_keep(&renderer->film);
-    while (*taken < samples) {
+    while (*taken < samples && clock_seconds() < deadline) {
         uint64_t left = samples - *taken;
         unsigned group = left < renderer->group_samples ? (unsigned)left : renderer->group_samples;
         if (!draw_group(renderer, regions, count, group, stop)) break;

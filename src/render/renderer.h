@@ -62,6 +62,7 @@ void renderer_set_parameters(const Program *program, const Scene *scene);
 MUST_CHECK bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error);
 
 /* Adds `samples` to each pixel of these regions, which do not overlap, and none elsewhere; film.samples stays
- * what it is. When `stop` says yes, after fewer: `taken`, whole groups. */
+ * what it is. When `stop` says yes, or clock_seconds() is past `deadline`, after fewer: `taken`, whole
+ * groups. */
 MUST_CHECK bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, uint64_t samples,
-                                bool (*stop)(void), uint64_t *taken, Error *error);
+                                double deadline, bool (*stop)(void), uint64_t *taken, Error *error);

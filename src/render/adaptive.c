@@ -1,0 +1,225 @@
+#include "render/adaptive.h"
+
+#include "base/clock.h"
+#include "base/text.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    FIRST_SAMPLES = 4,
+    EVEN_SAMPLES = 16, /* up to here all tiles get the same: what fewer tell is too uncertain to choose by */
+    MOST_LEVELS = 24,  /* of doublings to look ahead */
+    MEASURED_SHARE = 8 /* of evenly spread samples, what comes before this part of them is not measured */
+};
+
+/* A tile is planned with no less than this share of the mean of the tiles around it: what is rare, such as a caustic's
+ * specks, a neighbour may have met and the tile itself not yet. */
+static const double neighbours_share = 0.5;
+
+static int count_tiles(const Adaptive *adaptive) {
+    return adaptive->noise.columns * adaptive->noise.rows;
+}
+
+Adaptive adaptive_create(const Renderer *renderer, double trim) {
+    Adaptive adaptive = {.noise = noise_create(renderer->film.width, renderer->film.height, trim),
+                         .deadline = INFINITY};
+    adaptive.chosen = memory_get((size_t)count_tiles(&adaptive), sizeof *adaptive.chosen);
+    adaptive.regions = memory_get((size_t)count_tiles(&adaptive), sizeof *adaptive.regions);
+    return adaptive;
+}
+
+void adaptive_destroy(Adaptive *adaptive) {
+    noise_destroy(&adaptive->noise);
+    free(adaptive->chosen);
+    free(adaptive->regions);
+    *adaptive = (Adaptive){0};
+}
+
+static double tile_pixels(const NoiseTile *tile) {
+    return (double)tile->pixels.width * tile->pixels.height;
+}
+
+static double tile_error(const Noise *noise, const NoiseTile *tile) {
+    return noise_of_tile(noise, tile, (double)tile->samples);
+}
+
+/* The tile's squared error to plan with. */
+static double guarded_error(const Noise *noise, int index) {
+    int column = index % noise->columns, row = index / noise->columns;
+    double around = 0, pixels = 0;
+    for (int y = row - 1; y <= row + 1; y++) {
+        for (int x = column - 1; x <= column + 1; x++) {
+            if (x < 0 || y < 0 || x >= noise->columns || y >= noise->rows) continue;
+            const NoiseTile *tile = &noise->tiles[y * noise->columns + x];
+            /* As if it had this one's samples. */
+            around += tile_error(noise, tile) * (double)tile->samples / (double)noise->tiles[index].samples;
+            pixels += tile_pixels(tile);
+        }
+    }
+    const NoiseTile *tile = &noise->tiles[index];
+    return fmax(tile_error(noise, tile), neighbours_share * around / pixels * tile_pixels(tile));
+}
+
+/* Doublings of the tile that are worth `level` squared error a sample, and what they leave of its error. */
+static int doublings(const Noise *noise, const NoiseTile *tile, double error, double level, double *left) {
+    double cost = tile_pixels(tile) * (double)tile->samples;
+    int count = 0;
+    while (count < MOST_LEVELS && error * (1 - noise->fall) > level * cost) {
+        error *= noise->fall;
+        cost *= 2;
+        count++;
+    }
+    *left = error;
+    return count;
+}
+
+/* The squared error of the picture once all is done that is worth `level`. */
+static double planned_error(const Noise *noise, const double *errors, double level) {
+    double sum = 0, left;
+    for (int i = 0; i < noise->columns * noise->rows; i++) {
+        doublings(noise, &noise->tiles[i], errors[i], level, &left);
+        sum += left;
+    }
+    return sum;
+}
+
+/* Chooses the tiles; how many. */
+static int choose(Adaptive *adaptive, double percent) {
+    const Noise *noise = &adaptive->noise;
+    int count = 0, tiles = count_tiles(adaptive);
+    double goal = pow(0.01 * percent * noise->mean, 2) * noise->width * noise->height;
+    double *errors = memory_get((size_t)tiles, sizeof *errors), left;
+    double low = 1e-40, high = 1e40; /* of the level */
+    for (int i = 0; i < tiles; i++) errors[i] = guarded_error(noise, i);
+    for (int i = 0; i < 100; i++) {
+        double level = sqrt(low * high);
+        if (planned_error(noise, errors, level) > goal) {
+            high = level;
+        } else {
+            low = level;
+        }
+    }
+    for (int i = 0; i < tiles; i++) {
+        adaptive->chosen[i] = doublings(noise, &noise->tiles[i], errors[i], low, &left) > 0;
+        count += adaptive->chosen[i];
+    }
+    free(errors);
+    return count;
+}
+
+/* The chosen tiles with so many samples, runs of neighbours in a row as one. */
+static int make_regions(Adaptive *adaptive, uint64_t samples) {
+    const Noise *noise = &adaptive->noise;
+    int count = 0, run = -1;
+    for (int i = 0; i < count_tiles(adaptive); i++) {
+        const NoiseTile *tile = &noise->tiles[i];
+        bool wanted = adaptive->chosen[i] && tile->samples == samples;
+        if (!wanted || i % noise->columns == 0) run = -1;
+        if (!wanted) continue;
+        if (run < 0) {
+            run = count++;
+            adaptive->regions[run] = tile->pixels;
+        } else {
+            adaptive->regions[run].width += tile->pixels.width;
+        }
+    }
+    return count;
+}
+
+static uint64_t next_count(const Adaptive *adaptive, uint64_t above) {
+    uint64_t next = UINT64_MAX;
+    for (int i = 0; i < count_tiles(adaptive); i++) {
+        uint64_t samples = adaptive->noise.tiles[i].samples;
+        if (adaptive->chosen[i] && samples > above && samples < next) next = samples;
+    }
+    return next;
+}
+
+/* Writes down that the chosen tiles with `before` samples got so many more, and chooses them no longer. */
+static void count_samples(Adaptive *adaptive, uint64_t before, uint64_t taken) {
+    for (int i = 0; i < count_tiles(adaptive); i++) {
+        NoiseTile *tile = &adaptive->noise.tiles[i];
+        if (!adaptive->chosen[i] || tile->samples != before) continue;
+        tile->samples += taken;
+        adaptive->chosen[i] = false;
+        adaptive->paths += taken * (uint64_t)tile_pixels(tile);
+    }
+}
+
+/* Doubles the chosen tiles, those of equal numbers of samples together. */
+static bool double_tiles(Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), bool *stopped, Error *error) {
+    *stopped = false;
+    for (uint64_t n = next_count(adaptive, 0); n < UINT64_MAX && !*stopped; n = next_count(adaptive, n)) {
+        uint64_t taken;
+        int count = make_regions(adaptive, n);
+        if (!renderer_refine(renderer, adaptive->regions, count, n, adaptive->deadline, stop, &taken, error)) return false;
+        count_samples(adaptive, n, taken);
+        *stopped = taken < n;
+    }
+    return true;
+}
+
+/* All tiles have what the film has. */
+static void set_samples(Adaptive *adaptive, const Film *film) {
+    for (int i = 0; i < count_tiles(adaptive); i++) adaptive->noise.tiles[i].samples = film->samples;
+    adaptive->paths = film->samples * (uint64_t)film->width * (uint64_t)film->height;
+    adaptive->least = adaptive->most = film->samples;
+}
+
+/* The same for all tiles. */
+static bool sample_evenly(Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), Error *error) {
+    Film *film = &renderer->film;
+    uint64_t before = film->samples, wanted = before ? before : FIRST_SAMPLES;
+    while (film->samples - before < wanted && !(stop && stop() && film->samples)) {
+        if (film->samples && clock_seconds() >= adaptive->deadline) break;
+        if (!renderer_pass(renderer, wanted - (film->samples - before), stop, error)) return false;
+    }
+    set_samples(adaptive, film);
+    return true;
+}
+
+static void find_range(Adaptive *adaptive) {
+    adaptive->least = UINT64_MAX;
+    adaptive->most = 0;
+    for (int i = 0; i < count_tiles(adaptive); i++) {
+        uint64_t samples = adaptive->noise.tiles[i].samples;
+        if (samples < adaptive->least) adaptive->least = samples;
+        if (samples > adaptive->most) adaptive->most = samples;
+    }
+}
+
+static bool measure(Adaptive *adaptive, const Renderer *renderer, Error *error) {
+    Image mean;
+    FilmCount count;
+    if (!film_read(&renderer->film, &mean, &count, error)) return false;
+    noise_measure(&adaptive->noise, &mean);
+    image_free(&mean);
+    return true;
+}
+
+bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double percent, bool (*stop)(void), Error *error) {
+    bool stopped = false;
+    bool even = renderer->film.samples < EVEN_SAMPLES;
+    if (even) {
+        if (!sample_evenly(adaptive, renderer, stop, error)) return false;
+    } else if (choose(adaptive, percent)) {
+        if (!double_tiles(adaptive, renderer, stop, &stopped, error)) return false;
+    }
+    adaptive->rounds++;
+    find_range(adaptive);
+    return measure(adaptive, renderer, error);
+}
+
+bool adaptive_pass(Adaptive *adaptive, Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error) {
+    const Film *film = &renderer->film;
+    if (!renderer_pass(renderer, samples - film->samples, stop, error)) return false;
+    set_samples(adaptive, film);
+    bool doubling = film->samples && !(film->samples & (film->samples - 1));
+    return !doubling || film->samples * MEASURED_SHARE < samples || measure(adaptive, renderer, error);
+}
+
+double adaptive_percent(const Adaptive *adaptive) {
+    return noise_percent(&adaptive->noise);
+}

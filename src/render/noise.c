@@ -1,0 +1,148 @@
+#include "render/noise.h"
+
+#include "base/text.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Bounds of q, and what is taken before it is known: that of independent samples. */
+static const double least_fall = 0.25, independent_fall = 0.5;
+
+static int count_tiles(const Noise *noise) {
+    return noise->columns * noise->rows;
+}
+
+static int smaller(int a, int b) {
+    return a < b ? a : b;
+}
+
+Noise noise_create(int width, int height, double trim) {
+    Noise noise = {.width = width, .height = height, .trim = trim, .worst = INFINITY, .fall = independent_fall};
+    size_t pixels = (size_t)width * (size_t)height;
+    noise.columns = (width + NOISE_TILE - 1) / NOISE_TILE;
+    noise.rows = (height + NOISE_TILE - 1) / NOISE_TILE;
+    noise.tiles = memory_get((size_t)count_tiles(&noise), sizeof *noise.tiles);
+    noise.before = memory_get(3 * pixels, sizeof *noise.before);
+    noise.change = memory_get(pixels, sizeof *noise.change);
+    for (int i = 0; i < count_tiles(&noise); i++) {
+        int x = i % noise.columns * NOISE_TILE, y = i / noise.columns * NOISE_TILE;
+        noise.tiles[i] = (NoiseTile){
+            .pixels = {x, y, smaller(NOISE_TILE, width - x), smaller(NOISE_TILE, height - y)}};
+    }
+    return noise;
+}
+
+void noise_destroy(Noise *noise) {
+    free(noise->tiles);
+    free(noise->before);
+    free(noise->change);
+    *noise = (Noise){0};
+}
+
+/* The pixels of a tile that has doubled: what changed, and what the next doubling is compared with. */
+static void measure_pixels(Noise *noise, const NoiseTile *tile, const Image *mean) {
+    const Rectangle *r = &tile->pixels;
+    for (int y = r->y; y < r->y + r->height; y++) {
+        for (int x = r->x; x < r->x + r->width; x++) {
+            size_t pixel = (size_t)y * (size_t)noise->width + (size_t)x;
+            float sum = 0;
+            for (size_t c = 0; c < 3; c++) {
+                float now = mean->rgba[4 * pixel + c], difference = now - noise->before[3 * pixel + c];
+                sum += difference * difference;
+                noise->before[3 * pixel + c] = now;
+            }
+            noise->change[pixel] = sum / 3;
+        }
+    }
+}
+
+/* What is left of the change after `levels` doublings more. */
+static double fallen(const Noise *noise, double levels) {
+    return pow(noise->fall, levels);
+}
+
+/* A pixel's variance, up to the factor that all share, so that tiles of different numbers of samples compare. */
+static float pixel_error(const Noise *noise, const NoiseTile *tile, size_t pixel) {
+    double levels = log2((double)tile->samples / (double)tile->measured);
+    return noise->change[pixel] * (float)fallen(noise, levels);
+}
+
+static int by_size(const void *a, const void *b) {
+    float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+/* Finds where the worst pixels begin. */
+static void find_worst(Noise *noise) {
+    size_t pixels = (size_t)noise->width * (size_t)noise->height;
+    size_t left_out = (size_t)(noise->trim * (double)pixels), n = 0;
+    noise->worst = INFINITY;
+    if (!left_out) return;
+    float *errors = memory_get(pixels, sizeof *errors);
+    for (int i = 0; i < count_tiles(noise); i++) {
+        const NoiseTile *tile = &noise->tiles[i];
+        const Rectangle *r = &tile->pixels;
+        for (int k = 0; k < r->width * r->height; k++) {
+            size_t pixel = (size_t)(r->y + k / r->width) * (size_t)noise->width + (size_t)(r->x + k % r->width);
+            errors[n++] = tile->times > 1 ? pixel_error(noise, tile, pixel) : 0;
+        }
+    }
+    qsort(errors, pixels, sizeof *errors, by_size);
+    noise->worst = errors[pixels - left_out];
+    free(errors);
+}
+
+static double sum_changes(const Noise *noise, const NoiseTile *tile) {
+    const Rectangle *r = &tile->pixels;
+    double sum = 0;
+    for (int k = 0; k < r->width * r->height; k++) {
+        size_t pixel = (size_t)(r->y + k / r->width) * (size_t)noise->width + (size_t)(r->x + k % r->width);
+        if (pixel_error(noise, tile, pixel) < noise->worst) sum += (double)noise->change[pixel];
+    }
+    return sum;
+}
+
+/* q, from all tiles that have changed twice. */
+static void measure_fall(Noise *noise) {
+    double change = 0, earlier = 0;
+    for (int i = 0; i < count_tiles(noise); i++) {
+        if (noise->tiles[i].times < 3) continue;
+        change += noise->tiles[i].change;
+        earlier += noise->tiles[i].earlier;
+    }
+    if (!(earlier > 0)) return;
+    noise->fall = 0.5 * (independent_fall + fmin(fmax(change / earlier, least_fall), independent_fall));
+}
+
+void noise_measure(Noise *noise, const Image *mean) {
+    size_t values = 4 * (size_t)noise->width * (size_t)noise->height;
+    double sum = 0;
+    for (int i = 0; i < count_tiles(noise); i++) {
+        NoiseTile *tile = &noise->tiles[i];
+        if (tile->samples < 2 * tile->measured || tile->samples == 0) continue;
+        measure_pixels(noise, tile, mean);
+        tile->earlier = tile->change;
+        tile->measured = tile->samples;
+        tile->times++;
+    }
+    find_worst(noise);
+    for (int i = 0; i < count_tiles(noise); i++) noise->tiles[i].change = sum_changes(noise, &noise->tiles[i]);
+    measure_fall(noise);
+    for (size_t i = 0; i < values; i++) sum += i % 4 < 3 ? (double)mean->rgba[i] : 0;
+    noise->mean = sum / (double)(values / 4 * 3);
+}
+
+double noise_of_tile(const Noise *noise, const NoiseTile *tile, double samples) {
+    if (tile->times < 2) return INFINITY;
+    double levels = log2(samples / (double)tile->measured);
+    return tile->change * noise->fall / (1 - noise->fall) * fallen(noise, levels);
+}
+
+double noise_percent(const Noise *noise) {
+    double sum = 0, pixels = (double)noise->width * (double)noise->height;
+    for (int i = 0; i < count_tiles(noise); i++)
+        sum += noise_of_tile(noise, &noise->tiles[i], (double)noise->tiles[i].samples);
+    if (!(sum < INFINITY)) return INFINITY;
+    return sum > 0 ? 100 * sqrt(sum / pixels) / noise->mean : 0;
+}
