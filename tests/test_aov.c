@@ -459,8 +459,9 @@ static void test_stopped(void **state) {
     Error error;
     bench_open(&bench, "sobol", SIZE);
     Renderer *renderer = &bench.renderer;
-    renderer->rows_per_second = bench.aov.rows_per_second = 1;
-    assert_true(renderer_pass(renderer, 64, yes, &error) && aov_pass(&bench.aov, renderer, yes, &error));
+    renderer->pixels_per_second = bench.aov.pixels_per_second = 1;
+    assert_true(renderer_pass(renderer, 64, yes, &error) &&
+                aov_pass(&bench.aov, renderer, renderer->film.samples, yes, &error));
     assert_int_equal(bench.aov.samples, 1);
     Image image = bench_read(&bench);
     const float *normal = layer(&image, "normal"), *depth = layer(&image, ""),
@@ -475,11 +476,12 @@ static void test_stopped(void **state) {
     }
     assert_true(depth[PIXELS - 1] < 10);
     image_free(&image);
-    assert_true(renderer_pass(renderer, 64, NULL, &error) && aov_pass(&bench.aov, renderer, yes, &error));
+    assert_true(renderer_pass(renderer, 64, NULL, &error) &&
+                aov_pass(&bench.aov, renderer, renderer->film.samples, yes, &error));
     assert_int_equal(bench.aov.samples, 1);
     while (renderer->film.samples < AOV_MOST_SAMPLES + 40) {
         assert_true(renderer_pass(renderer, 1000, NULL, &error) &&
-                    aov_pass(&bench.aov, renderer, NULL, &error));
+                    aov_pass(&bench.aov, renderer, renderer->film.samples, NULL, &error));
         uint64_t taken = renderer->film.samples;
         assert_int_equal(bench.aov.samples, taken < AOV_MOST_SAMPLES ? taken : AOV_MOST_SAMPLES);
     }

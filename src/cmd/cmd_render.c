@@ -111,8 +111,15 @@ static bool sample(Job *job, Error *error) {
 
 static bool read_picture(Job *job, Error *error) {
     const Film *film = &job->renderer.film;
-    return film_read(film, &job->image, &job->count, error) && film_read_search(film, &job->search, error) &&
-           aov_read(&job->aov, film, &job->image, error);
+    if (!film_read(film, &job->image, &job->count, error) || !film_read_search(film, &job->search, error) ||
+        !aov_read(&job->aov, film, &job->image, error)) {
+        return false;
+    }
+    for (int i = 0; i < job->image.layer_count; i++) {
+        if (strcmp(job->image.layers[i].name, "variance") == 0)
+            noise_calibrate(&job->adaptive.noise, job->image.layers[i].data);
+    }
+    return true;
 }
 
 static bool render(Job *job, Error *error) {
@@ -128,10 +135,11 @@ static bool render(Job *job, Error *error) {
     figures->error_percent = INFINITY;
     if (options->seconds > 0) job->adaptive.deadline = start + options->seconds;
     while (!enough(figures) && !interrupt_requested()) {
-        if (!sample(job, error) || !aov_pass(&job->aov, &job->renderer, interrupt_requested, error))
-            return false;
+        if (!sample(job, error)) return false;
         figures->paths = job->adaptive.paths;
         figures->samples = (double)figures->paths / pixels;
+        if (!aov_pass(&job->aov, &job->renderer, (uint64_t)figures->samples, interrupt_requested, error))
+            return false;
         figures->error_percent = adaptive_percent(&job->adaptive);
         figures->seconds = clock_seconds() - start;
         progress_report(&progress, figures);

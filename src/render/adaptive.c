@@ -14,8 +14,8 @@ enum {
     MEASURED_SHARE = 8 /* of evenly spread samples, what comes before this part of them is not measured */
 };
 
-/* A tile is planned with no less than this share of the mean of the tiles around it: what is rare, such as a caustic's
- * specks, a neighbour may have met and the tile itself not yet. */
+/* A tile is planned with no less than this share of the mean of the tiles around it: what is rare, such as a
+ * caustic's specks, a neighbour may have met and the tile itself not yet. */
 static const double neighbours_share = 0.5;
 
 static int count_tiles(const Adaptive *adaptive) {
@@ -89,7 +89,7 @@ static double planned_error(const Noise *noise, const double *errors, double lev
 static int choose(Adaptive *adaptive, double percent) {
     const Noise *noise = &adaptive->noise;
     int count = 0, tiles = count_tiles(adaptive);
-    double goal = pow(0.01 * percent * noise->mean, 2) * noise->width * noise->height;
+    double goal = noise_goal(noise, percent);
     double *errors = memory_get((size_t)tiles, sizeof *errors), left;
     double low = 1e-40, high = 1e40; /* of the level */
     for (int i = 0; i < tiles; i++) errors[i] = guarded_error(noise, i);
@@ -149,12 +149,14 @@ static void count_samples(Adaptive *adaptive, uint64_t before, uint64_t taken) {
 }
 
 /* Doubles the chosen tiles, those of equal numbers of samples together. */
-static bool double_tiles(Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), bool *stopped, Error *error) {
+static bool double_tiles(Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), bool *stopped,
+                         Error *error) {
     *stopped = false;
     for (uint64_t n = next_count(adaptive, 0); n < UINT64_MAX && !*stopped; n = next_count(adaptive, n)) {
         uint64_t taken;
         int count = make_regions(adaptive, n);
-        if (!renderer_refine(renderer, adaptive->regions, count, n, adaptive->deadline, stop, &taken, error)) return false;
+        if (!renderer_refine(renderer, adaptive->regions, count, n, adaptive->deadline, stop, &taken, error))
+            return false;
         count_samples(adaptive, n, taken);
         *stopped = taken < n;
     }
@@ -199,7 +201,8 @@ static bool measure(Adaptive *adaptive, const Renderer *renderer, Error *error) 
     return true;
 }
 
-bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double percent, bool (*stop)(void), Error *error) {
+bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double percent, bool (*stop)(void),
+                    Error *error) {
     bool stopped = false;
     bool even = renderer->film.samples < EVEN_SAMPLES;
     if (even) {
@@ -212,7 +215,8 @@ bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double percent, bool
     return measure(adaptive, renderer, error);
 }
 
-bool adaptive_pass(Adaptive *adaptive, Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error) {
+bool adaptive_pass(Adaptive *adaptive, Renderer *renderer, uint64_t samples, bool (*stop)(void),
+                   Error *error) {
     const Film *film = &renderer->film;
     if (!renderer_pass(renderer, samples - film->samples, stop, error)) return false;
     set_samples(adaptive, film);

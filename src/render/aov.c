@@ -103,9 +103,8 @@ static bool add_group(Aov *aov, unsigned group, bool (*stop)(void)) {
     return true;
 }
 
-bool aov_pass(Aov *aov, const Renderer *renderer, bool (*stop)(void), Error *error) {
-    uint64_t taken = renderer->film.samples;
-    unsigned wanted = taken < AOV_MOST_SAMPLES ? (unsigned)taken : AOV_MOST_SAMPLES;
+bool aov_pass(Aov *aov, const Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error) {
+    unsigned wanted = samples < AOV_MOST_SAMPLES ? (unsigned)samples : AOV_MOST_SAMPLES;
     bool stopped = stop && stop();
     if (!aov->program.id) return true;
     while (!stopped && aov->samples < wanted) {

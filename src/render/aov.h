@@ -43,9 +43,11 @@ MUST_CHECK bool aov_create(Aov *aov, unsigned kinds, const Context *context, con
                            const Renderer *renderer, Error *error);
 void aov_destroy(Aov *aov);
 
-/* Catches up with the renderer's film. When `stop` (may be NULL) says yes, what it has so far has to do: if
- * that is nothing, as in a picture that is stopped in its first group, one sample a pixel. */
-MUST_CHECK bool aov_pass(Aov *aov, const Renderer *renderer, bool (*stop)(void), Error *error);
+/* Catches up with the picture's `samples`, a mean pixel's. When `stop` (may be NULL) says yes, what it has so
+ * far has to do: if that is nothing, as in a picture that is stopped in its first group, one sample a pixel.
+ */
+MUST_CHECK bool aov_pass(Aov *aov, const Renderer *renderer, uint64_t samples, bool (*stop)(void),
+                         Error *error);
 
 /* Adds the layers to the image that was read from `film`. */
 MUST_CHECK bool aov_read(const Aov *aov, const Film *film, Image *image, Error *error);

@@ -9,6 +9,10 @@
 /* Bounds of q, and what is taken before it is known: that of independent samples. */
 static const double least_fall = 0.25, independent_fall = 0.5;
 
+/* Adaptive pictures' true errors over what is estimated here: 0.85 to 1.09 measured, the most with specks
+ * that few samples meet; with this, nine in ten are below. */
+static const double certainty = 1.05;
+
 static int count_tiles(const Noise *noise) {
     return noise->columns * noise->rows;
 }
@@ -18,7 +22,12 @@ static int smaller(int a, int b) {
 }
 
 Noise noise_create(int width, int height, double trim) {
-    Noise noise = {.width = width, .height = height, .trim = trim, .worst = INFINITY, .fall = independent_fall};
+    Noise noise = {.width = width,
+                   .height = height,
+                   .trim = trim,
+                   .worst = INFINITY,
+                   .fall = independent_fall,
+                   .measured_fall = independent_fall};
     size_t pixels = (size_t)width * (size_t)height;
     noise.columns = (width + NOISE_TILE - 1) / NOISE_TILE;
     noise.rows = (height + NOISE_TILE - 1) / NOISE_TILE;
@@ -27,8 +36,8 @@ Noise noise_create(int width, int height, double trim) {
     noise.change = memory_get(pixels, sizeof *noise.change);
     for (int i = 0; i < count_tiles(&noise); i++) {
         int x = i % noise.columns * NOISE_TILE, y = i / noise.columns * NOISE_TILE;
-        noise.tiles[i] = (NoiseTile){
-            .pixels = {x, y, smaller(NOISE_TILE, width - x), smaller(NOISE_TILE, height - y)}};
+        noise.tiles[i] =
+            (NoiseTile){.pixels = {x, y, smaller(NOISE_TILE, width - x), smaller(NOISE_TILE, height - y)}};
     }
     return noise;
 }
@@ -62,7 +71,8 @@ static double fallen(const Noise *noise, double levels) {
     return pow(noise->fall, levels);
 }
 
-/* A pixel's variance, up to the factor that all share, so that tiles of different numbers of samples compare. */
+/* A pixel's variance, up to the factor that all share, so that tiles of different numbers of samples compare.
+ */
 static float pixel_error(const Noise *noise, const NoiseTile *tile, size_t pixel) {
     double levels = log2((double)tile->samples / (double)tile->measured);
     return noise->change[pixel] * (float)fallen(noise, levels);
@@ -84,7 +94,8 @@ static void find_worst(Noise *noise) {
         const NoiseTile *tile = &noise->tiles[i];
         const Rectangle *r = &tile->pixels;
         for (int k = 0; k < r->width * r->height; k++) {
-            size_t pixel = (size_t)(r->y + k / r->width) * (size_t)noise->width + (size_t)(r->x + k % r->width);
+            size_t pixel =
+                (size_t)(r->y + k / r->width) * (size_t)noise->width + (size_t)(r->x + k % r->width);
             errors[n++] = tile->times > 1 ? pixel_error(noise, tile, pixel) : 0;
         }
     }
@@ -112,7 +123,8 @@ static void measure_fall(Noise *noise) {
         earlier += noise->tiles[i].earlier;
     }
     if (!(earlier > 0)) return;
-    noise->fall = 0.5 * (independent_fall + fmin(fmax(change / earlier, least_fall), independent_fall));
+    noise->measured_fall = fmin(fmax(change / earlier, least_fall), independent_fall);
+    noise->fall = 0.5 * (independent_fall + noise->measured_fall);
 }
 
 void noise_measure(Noise *noise, const Image *mean) {
@@ -127,7 +139,8 @@ void noise_measure(Noise *noise, const Image *mean) {
         tile->times++;
     }
     find_worst(noise);
-    for (int i = 0; i < count_tiles(noise); i++) noise->tiles[i].change = sum_changes(noise, &noise->tiles[i]);
+    for (int i = 0; i < count_tiles(noise); i++)
+        noise->tiles[i].change = sum_changes(noise, &noise->tiles[i]);
     measure_fall(noise);
     for (size_t i = 0; i < values; i++) sum += i % 4 < 3 ? (double)mean->rgba[i] : 0;
     noise->mean = sum / (double)(values / 4 * 3);
@@ -135,8 +148,11 @@ void noise_measure(Noise *noise, const Image *mean) {
 
 double noise_of_tile(const Noise *noise, const NoiseTile *tile, double samples) {
     if (tile->times < 2) return INFINITY;
-    double levels = log2(samples / (double)tile->measured);
-    return tile->change * noise->fall / (1 - noise->fall) * fallen(noise, levels);
+    double levels = log2(samples / (double)tile->measured), change = tile->change;
+    /* The change before, as it should have become, says as much: the mean of both errs less by chance, and by
+     * chance a tile seems done too early. */
+    if (tile->times > 2) change = 0.5 * (change + noise->measured_fall * tile->earlier);
+    return change * noise->fall / (1 - noise->fall) * fallen(noise, levels);
 }
 
 double noise_percent(const Noise *noise) {
@@ -144,5 +160,26 @@ double noise_percent(const Noise *noise) {
     for (int i = 0; i < count_tiles(noise); i++)
         sum += noise_of_tile(noise, &noise->tiles[i], (double)noise->tiles[i].samples);
     if (!(sum < INFINITY)) return INFINITY;
-    return sum > 0 ? 100 * sqrt(sum / pixels) / noise->mean : 0;
+    return sum > 0 ? certainty * 100 * sqrt(sum / pixels) / noise->mean : 0;
+}
+
+double noise_goal(const Noise *noise, double percent) {
+    return pow(0.01 * percent / certainty * noise->mean, 2) * noise->width * noise->height;
+}
+
+static void calibrate_tile(const Noise *noise, const NoiseTile *tile, float *variance) {
+    const Rectangle *r = &tile->pixels;
+    double sum = 0, error = noise_of_tile(noise, tile, (double)tile->samples);
+    for (int pass = 0; pass < 2; pass++) {
+        for (int k = 0; k < 3 * r->width * r->height; k++) {
+            int x = r->x + k / 3 % r->width, y = r->y + k / 3 / r->width;
+            float *value = &variance[3 * ((size_t)y * (size_t)noise->width + (size_t)x) + (size_t)(k % 3)];
+            if (pass == 0) sum += (double)*value / 3;
+            if (pass == 1 && sum > 0 && error < INFINITY) *value = (float)(*value * error / sum);
+        }
+    }
+}
+
+void noise_calibrate(const Noise *noise, float *variance) {
+    for (int i = 0; i < count_tiles(noise); i++) calibrate_tile(noise, &noise->tiles[i], variance);
 }

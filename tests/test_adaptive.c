@@ -1,0 +1,235 @@
+/* What the renderer says about its own error: the estimate against errors that are known, and what adaptive
+ * sampling spends. */
+#include "support.h"
+
+#include "image/compare.h"
+#include "render/adaptive.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static double uniform_number(uint64_t *state) {
+    *state = *state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (double)(*state >> 11) * 0x1p-53;
+}
+
+/* About normal, of variance 1. */
+static double normal_number(uint64_t *state) {
+    double sum = -6;
+    for (int i = 0; i < 12; i++) sum += uniform_number(state);
+    return sum;
+}
+
+/* A mean of 1 whose errors fall as samples^-(power / 2), level by level as exchangeable halves have it: what
+ * a doubling takes off is independent of what is left. Gives the estimate over the true error. */
+static double estimate_ratio(double power, double trim, uint64_t seed) {
+    enum { SIDE = 96, LEVELS = 12 };
+    Noise noise = noise_create(SIDE, SIDE, trim);
+    Image mean = image_create(SIDE, SIDE);
+    double true_error = 0;
+    static double errors[3 * SIDE * SIDE];
+    /* From the last level to the first: the error before a doubling is the one after it and what the doubling
+       will take off. */
+    static double history[LEVELS][3 * SIDE * SIDE];
+    memset(errors, 0, sizeof errors);
+    for (int level = LEVELS - 1; level >= 0; level--) {
+        double after = level == LEVELS - 1 ? 0 : pow(2, -power * (level + 1)), now = pow(2, -power * level);
+        for (int i = 0; i < 3 * SIDE * SIDE; i++) {
+            /* The left half is ten times as noisy as the right. */
+            double scale = i / 3 % SIDE < SIDE / 2 ? 0.1 : 0.01;
+            errors[i] += scale * sqrt(now - after) * normal_number(&seed);
+            history[level][i] = errors[i];
+        }
+    }
+    for (int level = 0; level < 6; level++) {
+        for (int i = 0; i < noise.columns * noise.rows; i++) noise.tiles[i].samples = (uint64_t)4 << level;
+        for (int i = 0; i < 3 * SIDE * SIDE; i++)
+            mean.rgba[4 * (i / 3) + i % 3] = (float)(1 + history[level][i]);
+        noise_measure(&noise, &mean);
+        if (level == 0) assert_true(isinf(noise_percent(&noise)));
+    }
+    for (int i = 0; i < 3 * SIDE * SIDE; i++) true_error += history[5][i] * history[5][i];
+    double ratio = noise_percent(&noise) / (100 * sqrt(true_error / (3 * SIDE * SIDE)));
+    image_free(&mean);
+    noise_destroy(&noise);
+    return ratio;
+}
+
+static void test_estimate(void **state) {
+    (void)state;
+    double independent = estimate_ratio(1, 0, 1), sequence = estimate_ratio(1.3, 0, 2);
+    print_message("estimated over true error: %.3f independent, %.3f falling as n^-1.3\n", independent,
+                  sequence);
+    assert_true(independent > 1.0 && independent < 1.1);
+    assert_true(sequence > 1.0 && sequence < 1.25);
+}
+
+/* Without the worst pixels, the figure is that of the others: one pixel in a thousand may be as bad as it
+ * likes. */
+static void test_trim(void **state) {
+    (void)state;
+    enum { SIDE = 64 };
+    Noise noise = noise_create(SIDE, SIDE, 0.001), plain = noise_create(SIDE, SIDE, 0);
+    Image mean = image_create(SIDE, SIDE);
+    uint64_t seed = 5;
+    for (int level = 0; level < 4; level++) {
+        for (int i = 0; i < noise.columns * noise.rows; i++)
+            noise.tiles[i].samples = plain.tiles[i].samples = (uint64_t)16 << level;
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            double error = 0.01 * pow(2, -0.5 * level) * normal_number(&seed);
+            for (int c = 0; c < 3; c++)
+                mean.rgba[4 * i + c] = (float)(1 + error + (i % 1500 == 7 ? 5 * (level % 2) : 0));
+        }
+        noise_measure(&noise, &mean);
+        noise_measure(&plain, &mean);
+    }
+    print_message("%.3f %% without the worst pixels, %.3f %% with them\n", noise_percent(&noise),
+                  noise_percent(&plain));
+    assert_true(noise_percent(&noise) < 1.5 && noise_percent(&plain) > 5);
+    image_free(&mean);
+    noise_destroy(&noise);
+    noise_destroy(&plain);
+}
+
+typedef struct Bench {
+    Context context;
+    Scene scene;
+    Renderer renderer;
+} Bench;
+
+static void bench_open(Bench *bench, const char *sequence, int size, unsigned seed) {
+    Error error;
+    support_open(&bench->context);
+    RenderParams params = {.scene = &bench->scene,
+                           .library = "glsl",
+                           .sequence = sequence,
+                           .width = size,
+                           .height = size,
+                           .seed = seed};
+    if (!scene_read(&bench->scene, "scenes/crater.glsl", &error) ||
+        !renderer_create(&bench->renderer, &bench->context, &params, &error)) {
+        fail_msg("%s", error.text);
+    }
+}
+
+static void bench_close(Bench *bench) {
+    renderer_destroy(&bench->renderer);
+    scene_destroy(&bench->scene);
+    context_close(&bench->context);
+}
+
+static Image read_film(const Renderer *renderer) {
+    Image image;
+    FilmCount count;
+    Error error;
+    assert_true(film_read(&renderer->film, &image, &count, &error));
+    return image;
+}
+
+/* The same scene with so many samples everywhere. */
+static Image even_picture(Bench *bench, uint64_t samples) {
+    Error error;
+    film_reset(&bench->renderer.film);
+    while (bench->renderer.film.samples < samples)
+        assert_true(renderer_pass(&bench->renderer, samples - bench->renderer.film.samples, NULL, &error));
+    return read_film(&bench->renderer);
+}
+
+static double relrmse(const Image *a, const Image *b) {
+    Comparison result;
+    Error error;
+    assert_true(compare_images(a, b, NULL, NULL, &result, &error));
+    return result.rel_rmse_percent;
+}
+
+/* A picture to 2 %: it is, it says so, with fewer paths than an even one, and each tile is what an even
+ * picture of its number of samples has there. */
+static void test_adaptive(void **state) {
+    (void)state;
+    enum { SIZE = 128, REFERENCE = 2048 };
+    Bench bench;
+    Error error;
+    bench_open(&bench, "sobol", SIZE, 3);
+    Adaptive adaptive = adaptive_create(&bench.renderer, 0);
+    assert_true(isinf(adaptive_percent(&adaptive)));
+    while (!(adaptive_percent(&adaptive) <= 1.2)) {
+        assert_true(adaptive.rounds < 20 && adaptive_round(&adaptive, &bench.renderer, 1.2, NULL, &error));
+    }
+    Image picture = read_film(&bench.renderer);
+    uint64_t paths = 0;
+    float *samples = memory_get(SIZE * SIZE, sizeof *samples);
+    assert_true(film_read_samples(&bench.renderer.film, samples, &error));
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        const NoiseTile *tile =
+            &adaptive.noise.tiles[i / SIZE / NOISE_TILE * adaptive.noise.columns + i % SIZE / NOISE_TILE];
+        assert_true(samples[i] == (float)tile->samples);
+        paths += (uint64_t)samples[i];
+    }
+    free(samples);
+    assert_true(paths == adaptive.paths && adaptive.least == 16 && adaptive.most > 16);
+    for (uint64_t n = adaptive.least; n <= adaptive.most; n *= 2) {
+        Image even = even_picture(&bench, n);
+        for (int i = 0; i < SIZE * SIZE; i++) {
+            const NoiseTile *tile =
+                &adaptive.noise.tiles[i / SIZE / NOISE_TILE * adaptive.noise.columns + i % SIZE / NOISE_TILE];
+            for (int c = 0; tile->samples == n && c < 3; c++)
+                assert_true(fabsf(picture.rgba[4 * i + c] - even.rgba[4 * i + c]) <=
+                            1e-5f * even.rgba[4 * i + c]);
+        }
+        image_free(&even);
+    }
+    bench.renderer.seed = 77;
+    program_use(&bench.renderer.program);
+    program_set_uint(&bench.renderer.program, "seed", 77);
+    Image reference = even_picture(&bench, REFERENCE), even = even_picture(&bench, paths / (SIZE * SIZE));
+    double error_percent = relrmse(&picture, &reference), even_percent = relrmse(&even, &reference);
+    print_message("%.1f samples (%d to %d): %.3f %% estimated, %.3f %% true; as many everywhere: %.3f %%\n",
+                  (double)paths / (SIZE * SIZE), (int)adaptive.least, (int)adaptive.most,
+                  adaptive_percent(&adaptive), error_percent, even_percent);
+    assert_true(error_percent < 1.2 && error_percent > 0.6);
+    assert_true(error_percent < 0.85 * even_percent);
+    image_free(&picture);
+    image_free(&reference);
+    image_free(&even);
+    adaptive_destroy(&adaptive);
+    bench_close(&bench);
+}
+
+static bool yes(void) {
+    return true;
+}
+
+/* Stopped or out of time, nothing is lost and the books are right. */
+static void test_stopped(void **state) {
+    (void)state;
+    enum { SIZE = 64 };
+    Bench bench;
+    Error error;
+    bench_open(&bench, "sobol", SIZE, 0);
+    Adaptive adaptive = adaptive_create(&bench.renderer, 0);
+    for (int i = 0; i < 4; i++) assert_true(adaptive_round(&adaptive, &bench.renderer, 0.5, NULL, &error));
+    double before = adaptive_percent(&adaptive);
+    uint64_t paths = adaptive.paths;
+    bench.renderer.pixels_per_second = 1;
+    assert_true(adaptive_round(&adaptive, &bench.renderer, 0.1, yes, &error));
+    assert_true(adaptive.paths == paths && adaptive_percent(&adaptive) == before);
+    adaptive.deadline = 0;
+    assert_true(adaptive_round(&adaptive, &bench.renderer, 0.1, NULL, &error));
+    assert_true(adaptive.paths == paths);
+    Image picture = read_film(&bench.renderer);
+    for (int i = 0; i < SIZE * SIZE; i++) assert_true(picture.rgba[4 * i + 3] == 1);
+    image_free(&picture);
+    adaptive_destroy(&adaptive);
+    bench_close(&bench);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_estimate),
+        cmocka_unit_test(test_trim),
+        cmocka_unit_test(test_adaptive),
+        cmocka_unit_test(test_stopped),
+    };
+    return cmocka_run_group_tests_name("adaptive", tests, support_folder, support_clean);
+}
