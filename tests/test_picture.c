@@ -320,7 +320,7 @@ static void test_cuts_agree(void **state) {
     assert_true(film_read(&renderer.film, &whole, &count, &error));
     film_reset(&renderer.film);
     for (int i = 0; renderer.film.samples < 40; i++) {
-        renderer.rows_per_second = i % 2 ? 1 : 100;
+        renderer.pixels_per_second = i % 2 ? 1 : 10000;
         /* Each group after the first is once begun and dropped. */
         if (renderer.film.samples) {
             uint64_t before = renderer.film.samples;
@@ -336,7 +336,7 @@ static void test_cuts_agree(void **state) {
 
     /* Stopped in the first group, it keeps the rows that it came to. */
     film_reset(&renderer.film);
-    renderer.rows_per_second = 1;
+    renderer.pixels_per_second = 1;
     assert_true(renderer_pass(&renderer, 16, yes, &error));
     assert_true(film_read(&renderer.film, &cut, &count, &error));
     assert_true(count.accepted == 16 * 48 && cut.rgba[3] == 1 && cut.rgba[4 * 48 * 39 + 3] == 0);
