@@ -33,6 +33,7 @@ typedef struct Job {
     Image image;
     FilmCount count;
     FilmSearch search;
+    bool variance_unknown; /* somewhere */
     ProgressFigures figures;
 } Job;
 
@@ -116,8 +117,11 @@ static bool read_picture(Job *job, Error *error) {
         return false;
     }
     for (int i = 0; i < job->image.layer_count; i++) {
-        if (strcmp(job->image.layers[i].name, "variance") == 0)
-            noise_calibrate(&job->adaptive.noise, job->image.layers[i].data);
+        if (strcmp(job->image.layers[i].name, "variance") != 0) continue;
+        float *variance = job->image.layers[i].data;
+        noise_calibrate(&job->adaptive.noise, variance);
+        for (size_t k = 0; k < 3 * (size_t)film->width * (size_t)film->height; k++)
+            job->variance_unknown |= isnan(variance[k]);
     }
     return true;
 }
@@ -277,9 +281,9 @@ static void warn_search(const Job *job) {
 }
 
 static void warn(const Job *job) {
-    if (job->aov_kinds & AOV_VARIANCE && job->adaptive.least <= job->renderer.group_samples) {
+    if (job->variance_unknown) {
         fprintf(stderr,
-                "magichour: warning: --aov variance is not known from %u samples or fewer: it is NaN\n",
+                "magichour: warning: --aov variance is not known from %u samples or fewer: there it is NaN\n",
                 job->renderer.group_samples);
     }
     if (job->figures.rejected) {
