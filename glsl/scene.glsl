@@ -17,6 +17,7 @@ struct Hit {
     vec3 position; // filled by the path tracer before scene_material()
     vec3 normal;   // unit length; faces the ray's origin by the time scene_material() sees it
     int object;    // the number that the scene gave to the shape
+    int item;      // of an object of many shapes, such as hit_spheres()'s: which of them, from 0; else of no meaning
     bool inside;   // whether the ray came from within the solid, by the shape's own normal, which points out of it
 };
 
@@ -38,7 +39,7 @@ struct Bounce {
 };
 
 Hit hit_none() {
-    return Hit(INFINITY, vec3(0.0), vec3(0.0), -1, false);
+    return Hit(INFINITY, vec3(0.0), vec3(0.0), -1, 0, false);
 }
 
 Material material_new(int kind, vec3 color) {

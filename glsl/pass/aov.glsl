@@ -4,6 +4,7 @@
 #include "scene.glsl"
 #include <sequence>
 #include <scene>
+#include <spheres>
 #include "light/lambert.glsl"
 #include "light/surface.glsl"
 #include "math/finite.glsl"

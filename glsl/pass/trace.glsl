@@ -4,6 +4,7 @@
 #include <sequence>
 #include <sky>
 #include <scene>
+#include <spheres>
 #include <bounds>
 #include <materials>
 #include <sun>

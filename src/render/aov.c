@@ -54,6 +54,7 @@ static bool create_program(Program *program, const Context *context, const Rende
                            const Renderer *renderer, Error *error) {
     GlslSlot slots[] = {{"sequence", renderer->sequence.method->file, NULL},
                         {"scene", params->scene->path, NULL},
+                        {"spheres", spheres_slot(params->scene), NULL},
                         {NULL, NULL, NULL}};
     GlslSource source;
     if (!glsl_source_create(&source, params->library, "pass/aov.glsl", slots, error)) return false;
@@ -73,6 +74,7 @@ bool aov_create(Aov *aov, unsigned kinds, const Context *context, const RenderPa
     }
     program_use(&aov->program);
     camera_set(camera, &aov->program);
+    spheres_use(&renderer->spheres, &aov->program);
     renderer_set_parameters(&aov->program, params->scene);
     program_set_uint(&aov->program, "seed", renderer->seed);
     if (gl_check(&context->gl, "setting up --aov", error)) return true;

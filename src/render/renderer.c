@@ -15,9 +15,11 @@ enum {
     /* "Unlimited" for the loop's sake: Russian roulette lets a path come so far with a probability below
        1e-22. */
     UNLIMITED_HITS = 1000,
-    /* Of one march(): some 20 are usual, the most is MARCH_STEPS (glsl/shape/march.glsl). What goes beyond
-       all loops together is noticed (glsl/pass/search.glsl) and counted. */
-    MARCH_ITERATIONS = 200
+    /* Of one march() and one hit_spheres(): some 20 are usual, the most are MARCH_STEPS
+       (glsl/shape/march.glsl) and SPHERES_STEPS (glsl/shape/spheres.glsl). What goes beyond all loops together
+       is noticed (glsl/pass/search.glsl) and counted. */
+    MARCH_ITERATIONS = 200,
+    SPHERES_ITERATIONS = 200
 };
 
 typedef struct Methods {
@@ -32,24 +34,25 @@ static bool uses_sky_sampler(const Methods *methods) {
     return strcmp(methods->light.method->name, "mis") == 0;
 }
 
-/* Loop iterations at one hit, with the distance fields that its rays march through, and the bounds and mirror
- * spheres that it looks for. */
-static long hit_iterations(const Methods *methods, const Scene *scene, int marches) {
+/* Loop iterations at one hit, with those of its rays' searches, and the bounds and mirror spheres that it looks
+ * for. */
+static long hit_iterations(const Methods *methods, const Scene *scene, long search) {
     bool sun = strcmp(methods->sun.method->name, "sampled") == 0;
     long rays = 1 + (sun ? 1 : 0) + (sun && scene->mirror_count ? 2 : 0);
     long bounds = uses_control(methods) ? 2L * scene->bound_count : 0;
     long mirrors = sun && scene->mirror_count ? 6 + 5L * scene->mirror_count : 0;
-    return 1 + rays * marches * MARCH_ITERATIONS + bounds + mirrors;
+    return 1 + rays * search + bounds + mirrors;
 }
 
-/* `marches`: calls of march(). Where a scene marches, "unlimited" is as many hits as the loops allow. */
-static bool choose_group(Renderer *renderer, const Methods *methods, const RenderParams *params, int marches,
+/* `search`: iterations of a ray's searches. Where a scene has these, "unlimited" is as many hits as the loops
+ * allow. */
+static bool choose_group(Renderer *renderer, const Methods *methods, const RenderParams *params, long search,
                          Error *error) {
     const MethodChoice *sky = &methods->sky;
-    long hit = hit_iterations(methods, params->scene, marches);
+    long hit = hit_iterations(methods, params->scene, search);
     long others = 1 + (sky->table ? 0 : sky->iterations) * (uses_control(methods) ? 2 : 1);
     long most = (LOOP_LIMIT - others) / hit - 1;
-    if (!params->max_hits && marches && most > 16 && most < renderer->max_hits)
+    if (!params->max_hits && search && most > 16 && most < renderer->max_hits)
         renderer->max_hits = (int)most;
     long iterations = others + (renderer->max_hits + 1L) * hit;
     if (iterations > LOOP_LIMIT || sky->iterations > LOOP_LIMIT) {
@@ -96,9 +99,22 @@ static int picture_height(const RenderParams *params) {
 /* What a scene's own text and its includes say, so that nothing more is compiled and errors are about the
  * scene. */
 typedef struct SceneNeeds {
-    int marches; /* calls of march() */
-    bool search; /* whether its rays search by loops (glsl/shape/search.glsl) */
+    bool search;          /* whether its rays search by loops (glsl/shape/search.glsl) */
+    long search_iterations; /* of one ray */
 } SceneNeeds;
+
+/* `calls` of hit_spheres(). */
+static bool check_spheres(const Scene *scene, const GlslSource *source, int calls, Error *error) {
+    if (calls && !scene->spheres[0]) {
+        return error_set(error, STATUS_SCENE, "%s:1: hit_spheres() needs `//@ spheres COUNT` or `//@ spheres FILE.csv`",
+                         scene->path);
+    }
+    if (scene->spheres[0] && scene_sphere_count(scene) >= 0 && !glsl_source_defines(source, "scene_sphere")) {
+        return error_set(error, STATUS_SCENE, "%s:%d: missing function: vec4 scene_sphere(int i)", scene->path,
+                         scene->spheres_line);
+    }
+    return true;
+}
 
 static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *error) {
     static const char *const functions[] = {"scene_intersect", "scene_material"};
@@ -112,8 +128,11 @@ static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *err
         if (glsl_source_defines(&source, functions[i])) continue;
         ok = error_set(error, STATUS_SCENE, "%s:1: missing function: %s", path, signatures[i]);
     }
-    *needs = (SceneNeeds){.marches = glsl_source_calls(&source, "march"),
-                          .search = glsl_source_includes(&source, "shape/search.glsl")};
+    int marches = glsl_source_calls(&source, "march"), spheres = glsl_source_calls(&source, "hit_spheres");
+    if (ok) ok = check_spheres(params->scene, &source, spheres, error);
+    *needs = (SceneNeeds){.search = glsl_source_includes(&source, "shape/search.glsl"),
+                          .search_iterations = (long)marches * MARCH_ITERATIONS +
+                                               (long)spheres * SPHERES_ITERATIONS};
     glsl_source_destroy(&source);
     return ok;
 }
@@ -134,7 +153,7 @@ static void write_spheres(Text *text, const char *count_name, const char *functi
 static bool flatten(const Methods *methods, const SceneNeeds *needs, const RenderParams *params, bool image,
                     GlslSource *source, Error *error) {
     const Scene *scene = params->scene;
-    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 7] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
+    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 8] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
     SkySlotText text;
     Text bounds = {0}, mirrors = {0};
     write_spheres(&bounds, "SCENE_BOUNDS", "scene_bound", scene->bounds, scene->bound_count);
@@ -147,6 +166,7 @@ static bool flatten(const Methods *methods, const SceneNeeds *needs, const Rende
     slot[3] = (GlslSlot){"bounds", NULL, text_string(&bounds)};
     slot[4] = (GlslSlot){"scatter", params->variance ? "pass/scatter.glsl" : "pass/scatter_none.glsl", NULL};
     slot[5] = (GlslSlot){"search", needs->search ? "pass/search.glsl" : "pass/search_none.glsl", NULL};
+    slot[6] = (GlslSlot){"spheres", spheres_slot(scene), NULL};
     bool ok = glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
     text_free(&bounds);
     text_free(&mirrors);
@@ -205,6 +225,7 @@ static bool set_up(Renderer *renderer, const Program *program, const Scene *scen
         return false;
     if (!sky_use(sky, program, state, error)) return false;
     sun_use(&renderer->sun, program, scene, &renderer->camera);
+    spheres_use(&renderer->spheres, program);
     camera_set(&renderer->camera, program);
     renderer_set_parameters(program, scene);
     program_set_uint(program, "seed", renderer->seed);
@@ -232,7 +253,8 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
                         error) ||
         !film_create(&renderer->film, context, camera->width, camera->height, parts, error) ||
         !sky_create(&renderer->sky, context, params->library, &methods->sky, &scene->atmosphere, error) ||
-        !sun_create(&renderer->sun, context, &methods->sun, scene, camera, error)) {
+        !sun_create(&renderer->sun, context, &methods->sun, scene, camera, error) ||
+        !spheres_create(&renderer->spheres, context, params->library, scene, error)) {
         return false;
     }
     if (renderer->sun.rectangle_count &&
@@ -253,7 +275,7 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
                            .max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS};
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
         !read_needs(params, &needs, error) || !choose_methods(&methods, params, width, height, error) ||
-        !choose_group(renderer, &methods, params, needs.marches, error)) {
+        !choose_group(renderer, &methods, params, needs.search_iterations, error)) {
         goto fail;
     }
     renderer->light = methods.light;
@@ -277,6 +299,7 @@ void renderer_destroy(Renderer *renderer) {
     sky_sampler_destroy(&renderer->sampler);
     sky_patches_destroy(&renderer->patches);
     sun_destroy(&renderer->sun);
+    spheres_destroy(&renderer->spheres);
     sky_destroy(&renderer->sky);
     film_destroy(&renderer->film);
     program_destroy(&renderer->program);

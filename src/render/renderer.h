@@ -9,6 +9,7 @@
 #include "render/camera.h"
 #include "render/irradiance.h"
 #include "render/sky_sampler.h"
+#include "render/spheres.h"
 #include "render/sun.h"
 
 typedef struct RenderParams {
@@ -35,6 +36,7 @@ typedef struct Renderer {
     SkyPatches patches; /* these are empty unless the light method asks for them */
     Irradiance irradiance;
     SkySampler sampler;
+    Spheres spheres;
     MethodChoice light, sequence, sun_disk;
     int max_hits;
     unsigned seed;

@@ -201,6 +201,27 @@ static bool read_mirror_sphere(Line *line, Error *error) {
     return read_sphere(line, line->scene->mirrors, &line->scene->mirror_count, error);
 }
 
+static bool is_file(const char *word) {
+    size_t length = strlen(word);
+    return length > 4 && strcmp(word + length - 4, ".csv") == 0;
+}
+
+static bool read_many_spheres(Line *line, Error *error) {
+    Scene *scene = line->scene;
+    double number;
+    if (line->count != 2)
+        return error_set(error, STATUS_SCENE, "spheres needs a number, a slider's name or a .csv file");
+    const char *word = line->words[1];
+    if (scene->spheres[0]) return error_set(error, STATUS_SCENE, "spheres is there already");
+    if (number_parse(word, &number) &&
+        (number < 0 || number > SCENE_MOST_SPHERES || number != (double)(int)number)) {
+        return error_set(error, STATUS_SCENE, "spheres: '%s' is not a whole number from 0 to %d", word,
+                         SCENE_MOST_SPHERES);
+    }
+    scene->spheres_line = line->number;
+    return copy_word(scene->spheres, sizeof scene->spheres, word, error);
+}
+
 /* The parameter declared on the annotation's own line as `uniform TYPE NAME;`. */
 static Parameter *declared(Line *line, const char *type, Error *error) {
     Scene *scene = line->scene;
@@ -296,7 +317,7 @@ static const struct {
     {"preset", read_preset},     {"bound", read_bound},
     {"sun-disk", read_sun_disk}, {"mirror-sphere", read_mirror_sphere},
     {"slider", read_slider},     {"checkbox", read_checkbox},
-    {"color", read_color},
+    {"color", read_color},       {"spheres", read_many_spheres},
 };
 enum { ANNOTATIONS = sizeof annotations / sizeof *annotations };
 
@@ -336,12 +357,12 @@ static bool try_presets(const Scene *scene, Error *error) {
     return true;
 }
 
-static bool is_slider(const Scene *scene, const char *name) {
+static const Parameter *find_slider(const Scene *scene, const char *name) {
     for (int i = 0; i < scene->parameter_count; i++) {
         const Parameter *parameter = &scene->parameters[i];
-        if (parameter->type == PARAMETER_SLIDER && strcmp(parameter->name, name) == 0) return true;
+        if (parameter->type == PARAMETER_SLIDER && strcmp(parameter->name, name) == 0) return parameter;
     }
-    return false;
+    return NULL;
 }
 
 /* A sphere may be named by sliders declared below it too. */
@@ -351,11 +372,25 @@ static bool check_spheres(const Scene *scene, const char *key, const NamedSphere
         const NamedSphere *sphere = &spheres[i / 4];
         const char *word = sphere->words[i % 4];
         double number;
-        if (is_slider(scene, word) || (number_parse(word, &number) && (i % 4 < 3 || number > 0))) continue;
+        if (find_slider(scene, word) || (number_parse(word, &number) && (i % 4 < 3 || number > 0))) continue;
         return error_set(error, STATUS_SCENE, "%s:%d: %s: '%s' is neither a %s nor a slider's name",
                          scene->path, sphere->line, key, word, i % 4 < 3 ? "number" : "number above 0");
     }
     return true;
+}
+
+static bool check_many_spheres(const Scene *scene, Error *error) {
+    const char *word = scene->spheres;
+    double number;
+    if (!word[0] || number_parse(word, &number) || is_file(word)) return true;
+    const Parameter *slider = find_slider(scene, word);
+    if (!slider) {
+        return error_set(error, STATUS_SCENE, "%s:%d: spheres: '%s' is neither a number, a slider's name nor a .csv file",
+                         scene->path, scene->spheres_line, word);
+    }
+    if (slider->min >= 0 && slider->max <= SCENE_MOST_SPHERES) return true;
+    return error_set(error, STATUS_SCENE, "%s:%d: spheres: the slider '%s' goes from %g to %g, past 0 to %d", scene->path,
+                     scene->spheres_line, word, slider->min, slider->max, SCENE_MOST_SPHERES);
 }
 
 bool annotation_read(Scene *scene, Error *error) {
@@ -381,5 +416,5 @@ bool annotation_read(Scene *scene, Error *error) {
     text_free(&file);
     return ok && check_spheres(scene, "bound", scene->bounds, scene->bound_count, error) &&
            check_spheres(scene, "mirror-sphere", scene->mirrors, scene->mirror_count, error) &&
-           try_presets(scene, error);
+           check_many_spheres(scene, error) && try_presets(scene, error);
 }

@@ -132,6 +132,23 @@ void scene_sphere(const Scene *scene, const NamedSphere *sphere, double out[4]) 
     }
 }
 
+int scene_sphere_count(const Scene *scene) {
+    double number;
+    if (number_parse(scene->spheres, &number)) return (int)number;
+    for (int i = 0; i < scene->parameter_count; i++) {
+        if (strcmp(scene->parameters[i].name, scene->spheres) == 0) return (int)scene->parameters[i].value[0];
+    }
+    return -1;
+}
+
+char *scene_sphere_path(const Scene *scene) {
+    const char *slash = strrchr(scene->path, '/');
+    Text path = {0};
+    if (slash && scene->spheres[0] != '/') text_append(&path, scene->path, (size_t)(slash - scene->path) + 1);
+    text_print(&path, "%s", scene->spheres);
+    return path.data;
+}
+
 bool scene_check(const Scene *scene, Error *error) {
     double distance = hypot(hypot(scene->target[0] - scene->eye[0], scene->target[1] - scene->eye[1]),
                             scene->target[2] - scene->eye[2]);

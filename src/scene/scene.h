@@ -33,7 +33,7 @@ typedef struct NamedSphere {
     int line;
 } NamedSphere;
 
-enum { MOST_NAMED_SPHERES = 16 };
+enum { MOST_NAMED_SPHERES = 16, SCENE_MOST_SPHERES = 1000000 };
 
 typedef struct Scene {
     char *path; /* owned */
@@ -54,6 +54,8 @@ typedef struct Scene {
     int bound_count;
     NamedSphere mirrors[MOST_NAMED_SPHERES]; /* mirrors in the shape of a sphere */
     int mirror_count;
+    char spheres[256]; /* for hit_spheres(): how many, as a number or a slider's name, or a CSV file; or empty */
+    int spheres_line;
 } Scene;
 
 /* Pictures' limits, as a sentence for errors and the check itself (STATUS_USAGE). */
@@ -74,6 +76,12 @@ MUST_CHECK bool scene_choose_preset(Scene *scene, const char *name, Error *error
 
 /* A named sphere's numbers, with the sliders as they are: x, y, z, radius. */
 void scene_sphere(const Scene *scene, const NamedSphere *sphere, double out[4]);
+
+/* How many spheres scene_sphere() makes, with the sliders as they are; -1 where they come from a file. */
+int scene_sphere_count(const Scene *scene);
+
+/* That file, which is named from the scene's folder; to be freed. */
+char *scene_sphere_path(const Scene *scene);
 
 /* What no single value shows: a camera that looks somewhere, an atmosphere above its planet (STATUS_USAGE).
  */

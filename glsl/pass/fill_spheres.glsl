@@ -1,0 +1,18 @@
+#version 330 core
+// The spheres that a scene makes itself, one a texel.
+#include "scene.glsl"
+#include <scene>
+#include "light/lambert.glsl"
+#include "pass/spheres.glsl"
+
+uniform int fill_count;
+
+layout(location = 0) out vec4 fill_sphere;
+
+vec4 scene_sphere(int i);
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    int i = texel.y * 1024 + texel.x;
+    fill_sphere = i < fill_count ? scene_sphere(i) : vec4(0.0);
+}

@@ -1,0 +1,58 @@
+#include "scene/sphere_file.h"
+
+#include "base/file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const columns[4] = {"x", "y", "z", "radius"};
+
+static bool read_row(char *line, float *sphere, Error *error) {
+    for (int i = 0; i < 4; i++) {
+        double value;
+        if (!line) return error_set(error, STATUS_SCENE, "a row needs x,y,z,radius");
+        char *word = line + strspn(line, " \t"), *end = word + strcspn(word, ",");
+        line = *end ? end + 1 : NULL;
+        while (end > word && strchr(" \t\r", end[-1])) end--;
+        *end = 0;
+        if (!number_parse_range(columns[i], word, -1e7, 1e7, &value, error)) return false;
+        sphere[i] = (float)value;
+        if (i == 3 && !(sphere[i] > 0))
+            return error_set(error, STATUS_SCENE, "radius: '%s' is not above 0", word);
+    }
+    return true;
+}
+
+/* `rows`: lines so far that are neither empty nor comments. */
+static bool read_line(char *line, int *rows, int most, float **spheres, int *count, Error *error) {
+    const char *start = line + strspn(line, " \t\r");
+    if (!*start || *start == '#') return true;
+    if (!(*rows)++ && *start == 'x') return true;
+    if (*count == most) return error_set(error, STATUS_SCENE, "more than %d spheres", most);
+    /* Doubled each time it is full. */
+    if (!(*count & (*count - 1))) *spheres = memory_grow(*spheres, 2 * (size_t)*count + 1, 4 * sizeof **spheres);
+    return read_row(line, *spheres + 4 * (*count)++, error);
+}
+
+bool sphere_file_read(const char *path, int most, float **spheres, int *count, Error *error) {
+    Text file = {0};
+    int number = 1, rows = 0;
+    *spheres = NULL;
+    *count = 0;
+    bool ok = file_read(path, STATUS_SCENE, &file, error);
+    if (ok) text_append(&file, "", 0);
+    if (ok && memchr(file.data, 0, file.size)) ok = error_set(error, STATUS_SCENE, "%s:1: not a text file", path);
+    char *start = file.data;
+    if (ok && strncmp(start, "\xef\xbb\xbf", 3) == 0) start += 3;
+    for (char *line = start; ok && *line; number++) {
+        char *end = line + strcspn(line, "\n");
+        bool last = !*end;
+        *end = 0;
+        ok = read_line(line, &rows, most, spheres, count, error);
+        if (!ok) error->status = STATUS_SCENE, error_prefix(error, "%s:%d: ", path, number);
+        line = last ? end : end + 1;
+    }
+    text_free(&file);
+    if (!ok) free(*spheres), *spheres = NULL, *count = 0;
+    return ok;
+}
