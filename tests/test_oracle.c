@@ -1,5 +1,6 @@
 /* The GLSL library by the GPU, and by C++ in float and in double: the same files, the same numbers. */
 #include "oracle/oracle.h"
+#include "scene/sphere_tree.h"
 #include "support.h"
 
 #include <math.h>
@@ -23,6 +24,7 @@ ORACLE_CASE(sequence_random);
 ORACLE_CASE(sequence_sobol);
 ORACLE_CASE(shape);
 ORACLE_CASE(solids);
+ORACLE_CASE(spheres);
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
@@ -339,6 +341,124 @@ static void test_mirror_sphere(void **state) {
     context_close(&context);
 }
 
+enum { TABLE_COLUMNS = 256, TABLE_ROWS = 64, TABLE_FLOATS = 4 * TABLE_COLUMNS * TABLE_ROWS, SPHERES = 250 };
+
+/* Spheres of all sizes in a cube, some within others, and some in a row along x. */
+static void make_spheres(float *spheres) {
+    for (int i = 0; i < SPHERES; i++) {
+        for (int c = 0; c < 3; c++) spheres[4 * i + c] = (float)(4 * random_unit() - 2);
+        spheres[4 * i + 3] = (float)(0.3 * pow(10, -3 * random_unit()));
+        if (i % 10 == 0) spheres[4 * i + 1] = spheres[4 * i + 2] = 0.25F;
+    }
+}
+
+static void set_ray(float *ray, const double origin[3], const double toward[3]) {
+    double length = sqrt(toward[0] * toward[0] + toward[1] * toward[1] + toward[2] * toward[2]);
+    for (int c = 0; c < 3; c++) {
+        ray[c] = (float)origin[c];
+        ray[4 + c] = (float)(toward[c] / length);
+        /* Zeros of both signs. */
+        if (toward[c] == 0 && random_unit() < 0.5) ray[4 + c] = -0.0F;
+    }
+}
+
+/* From a sphere's inside or its surface, anywhere. */
+static void set_ray_from(const float *sphere, double radii, float *ray) {
+    float out[3], any[3];
+    double origin[3], toward[3];
+    set_any_direction(out);
+    set_any_direction(any);
+    for (int c = 0; c < 3; c++) {
+        origin[c] = (double)sphere[c] + radii * (double)(sphere[3] * out[c]);
+        toward[c] = (double)any[c];
+    }
+    set_ray(ray, origin, toward);
+}
+
+/* Past a sphere by about its radius. */
+static void set_ray_grazing(const float *sphere, float *ray) {
+    float any[3];
+    double origin[3], toward[3], side[3], far = 0, along = 0, across = 0;
+    set_any_direction(any);
+    for (int c = 0; c < 3; c++) {
+        origin[c] = 8 * random_unit() - 4;
+        toward[c] = (double)sphere[c] - origin[c];
+        far += toward[c] * toward[c];
+        along += toward[c] * (double)any[c];
+    }
+    for (int c = 0; c < 3; c++) {
+        side[c] = (double)any[c] - along / far * toward[c];
+        across += side[c] * side[c];
+    }
+    double radius = (double)sphere[3] * (1 + 0.01 * (2 * random_unit() - 1));
+    for (int c = 0; c < 3; c++) toward[c] += radius * side[c] / sqrt(across);
+    set_ray(ray, origin, toward);
+}
+
+/* Along an axis or one of its planes, toward a sphere's middle or in the face of its box. */
+static void set_ray_level(const float *sphere, float *ray) {
+    double origin[3], toward[3] = {0}, side = random_unit() < 0.5 ? -1 : 1;
+    int axis = (int)(3 * random_unit());
+    toward[axis] = side;
+    if (random_unit() < 0.5) toward[(axis + 1) % 3] = 0.5 * random_unit();
+    for (int c = 0; c < 3; c++) origin[c] = (double)sphere[c] - 4 * toward[c];
+    if (random_unit() < 0.5) {
+        float face = side < 0 ? sphere[(axis + 2) % 3] - sphere[3] : sphere[(axis + 2) % 3] + sphere[3];
+        origin[(axis + 2) % 3] = (double)face;
+    }
+    set_ray(ray, origin, toward);
+}
+
+/* What trees and boxes find hard. */
+static void set_hard_ray(int kind, const float *sphere, float *ray) {
+    if (kind == 0) set_ray_from(sphere, 0.9, ray);
+    if (kind == 1) set_ray_from(sphere, 1, ray);
+    if (kind == 2) set_ray_from(sphere, 20, ray);
+    if (kind == 3) set_ray_grazing(sphere, ray);
+    if (kind >= 4) set_ray_level(sphere, ray);
+}
+
+/* The rays that a tree answers otherwise than all spheres asked one by one. */
+static int count_differences(const char *what, const double *results) {
+    int differences = 0, hits = 0, most = 0;
+    double steps = 0;
+    for (int i = TABLE_FLOATS / 2; i < TABLE_FLOATS; i += 8) {
+        const double *r = results + i;
+        differences += r[0] != r[1] || r[2] != r[3] || r[4] != r[5] || !(r[6] < 1e-6);
+        hits += r[0] < 1e29;
+        steps += r[7];
+        most = r[7] > most ? (int)r[7] : most;
+    }
+    int rays = TABLE_FLOATS / 16;
+    print_message("spheres, %s: %d of %d rays hit, %d differ; %.1f entries a ray, at most %d\n", what, hits, rays,
+                  differences, steps / rays, most);
+    assert_true(hits > rays / 4 && hits < rays);
+    assert_true(steps / rays < SPHERES / 4);
+    return differences;
+}
+
+static void test_spheres(void **state) {
+    static float spheres[4 * SPHERES], gpu[TABLE_FLOATS];
+    static double results[TABLE_FLOATS];
+    start(state);
+    make_spheres(spheres);
+    SphereTree tree = sphere_tree_create(spheres, SPHERES);
+    assert_true(2 * 4 * SPHERE_TREE_OCTANTS * 2 * tree.entries < TABLE_FLOATS);
+    memcpy(inputs, tree.texels, (size_t)(4 * 2 * SPHERE_TREE_OCTANTS * tree.entries) * sizeof *inputs);
+    inputs[TABLE_FLOATS / 2 - 4] = (float)tree.entries;
+    sphere_tree_destroy(&tree);
+    for (int i = 0; i < TABLE_FLOATS / 16; i++)
+        set_hard_ray(i % 6, spheres + 4 * (i / 6 % SPHERES), inputs + TABLE_FLOATS / 2 + 8 * i);
+    oracle_evaluate_gpu(&context, ORACLE(spheres), inputs, TABLE_COLUMNS, TABLE_ROWS, gpu);
+    for (int i = 0; i < TABLE_FLOATS; i++) results[i] = (double)gpu[i];
+    assert_int_equal(count_differences("GPU", results), 0);
+    ORACLE(spheres).in_float(inputs, TABLE_COLUMNS, TABLE_ROWS, results);
+    assert_int_equal(count_differences("C++ float", results), 0);
+    ORACLE(spheres).in_double(inputs, TABLE_COLUMNS, TABLE_ROWS, results);
+    assert_int_equal(count_differences("C++ double", results), 0);
+    context_close(&context);
+}
+
 enum { SIDE = 32, PIXELS = SIDE * SIDE };
 
 /* Paths split on an edge: a rounding decides what is hit, and all that follows differs. So pixels are
@@ -396,7 +516,8 @@ int main(void) {
         cmocka_unit_test(test_march),     cmocka_unit_test(test_distance),
         cmocka_unit_test(test_lobes),     cmocka_unit_test(test_mirror_sphere),
         cmocka_unit_test(test_sequences), cmocka_unit_test(test_checker),
-        cmocka_unit_test(test_material),  cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_material),  cmocka_unit_test(test_spheres),
+        cmocka_unit_test(test_paths),
     };
     return cmocka_run_group_tests_name("oracle", tests, support_folder, support_clean);
 }

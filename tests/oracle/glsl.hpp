@@ -8,6 +8,7 @@
 
 // A case uses a part of what it includes.
 #pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-variable"
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
 #undef INFINITY
