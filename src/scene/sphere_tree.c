@@ -33,10 +33,19 @@ typedef struct Builder {
 
 static const Box nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
 
+/* Not fminf(), which minds what is not a number and is a call. */
+static float least(float a, float b) {
+    return a < b ? a : b;
+}
+
+static float most(float a, float b) {
+    return a > b ? a : b;
+}
+
 static void box_add(Box *box, const Box *other) {
     for (int k = 0; k < 3; k++) {
-        box->low[k] = fminf(box->low[k], other->low[k]);
-        box->high[k] = fmaxf(box->high[k], other->high[k]);
+        box->low[k] = least(box->low[k], other->low[k]);
+        box->high[k] = most(box->high[k], other->high[k]);
     }
 }
 
@@ -115,8 +124,8 @@ static Cut best_cut(const Item *items, int count, const Box *box) {
     for (int axis = 0; axis < 3; axis++) {
         float low = INFINITY, high = -INFINITY;
         for (int i = 0; i < count; i++) {
-            low = fminf(low, middle(&items[i].box, axis));
-            high = fmaxf(high, middle(&items[i].box, axis));
+            low = least(low, middle(&items[i].box, axis));
+            high = most(high, middle(&items[i].box, axis));
         }
         float bins_per_length = (float)BINS / (high - low);
         if (!(high > low) || !isfinite(bins_per_length)) continue;
