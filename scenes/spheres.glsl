@@ -1,16 +1,16 @@
 //@ title   Spheres
-//@ look    "ten thousand spheres on a spiral about a mirror ball: each one's own colour, and its shade on its neighbours"
-//@ camera  eye 0 2.6 -9  target 0 0.6 0  fov 50
-//@ sun     elevation 5  azimuth 125
+//@ look    "ten thousand spheres on a spiral: long shades at sunset, no cracks, and all of them again in the mirror ball"
+//@ camera  eye 0 2 -8  target 0 0.7 0  fov 42
+//@ sun     elevation 5  azimuth 115
 //@ size    768 512
-//@ exposure 0.5
+//@ sun-disk on
+//@ exposure -1
 //@ spheres count
 //@ mirror-sphere  0 ball 0 ball
-//@ preset  noon      sun.elevation 60  exposure 0
-//@ preset  sunset    sun.elevation 5   exposure 0.5
+//@ preset  noon      sun.elevation 60  exposure -3
+//@ preset  sunset    sun.elevation 5   exposure -1
 //@ preset  twilight  sun.elevation -2  exposure 4
 
-#include "color/gradient.glsl"
 #include "material/matte.glsl"
 #include "material/mirror.glsl"
 #include "math/hash.glsl"
@@ -40,10 +40,13 @@ vec4 scene_sphere(int i) {
 }
 
 vec3 color_of(int i) {
-    uvec3 h = hash_3(uvec3(uint(i), 2u, 0u));
-    float hue = unit_float(h.x);
-    vec3 color = hue < 0.45 ? vec3(0.85, 0.8, 0.72) : hue < 0.7 ? vec3(0.75, 0.22, 0.12) : hue < 0.88 ? vec3(0.85, 0.55, 0.12) : vec3(0.08, 0.3, 0.38);
-    return color * (0.7 + 0.3 * unit_float(h.y));
+    uvec3 bits = hash_3(uvec3(uint(i), 2u, 0u));
+    float chosen = unit_float(bits.x);
+    vec3 color = vec3(0.08, 0.3, 0.38);
+    if (chosen < 0.88) color = vec3(0.85, 0.55, 0.12);
+    if (chosen < 0.7) color = vec3(0.75, 0.22, 0.12);
+    if (chosen < 0.45) color = vec3(0.85, 0.8, 0.72);
+    return (0.7 + 0.3 * unit_float(bits.y)) * color;
 }
 
 void scene_intersect(Ray ray, INOUT(Hit) hit) {

@@ -430,8 +430,8 @@ static int count_differences(const char *what, const double *results) {
         most = r[7] > most ? (int)r[7] : most;
     }
     int rays = TABLE_FLOATS / 16;
-    print_message("spheres, %s: %d of %d rays hit, %d differ; %.1f entries a ray, at most %d\n", what, hits, rays,
-                  differences, steps / rays, most);
+    print_message("spheres, %s: %d of %d rays hit, %d differ; %.1f entries a ray, at most %d\n", what, hits,
+                  rays, differences, steps / rays, most);
     assert_true(hits > rays / 4 && hits < rays);
     assert_true(steps / rays < SPHERES / 4);
     return differences;

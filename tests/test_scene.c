@@ -85,6 +85,13 @@ static void test_annotations_refused(void **state) {
         {"//@ bound 1 2 3", "bound needs x y z radius"},
         {"//@ mirror-sphere 1 2", "mirror-sphere needs x y z radius"},
         {"//@ mirror-sphere 0 0 0 frob", "mirror-sphere: 'frob' is neither a number above 0"},
+        {"//@ spheres", "spheres needs a number, a slider's name or a .csv file"},
+        {"//@ spheres 1 2", "spheres needs a number, a slider's name or a .csv file"},
+        {"//@ spheres 1.5", "spheres: '1.5' is not a whole number from 0 to 1000000"},
+        {"//@ spheres 1000001", "spheres: '1000001' is not a whole number from 0 to 1000000"},
+        {"//@ spheres -1", "spheres: '-1' is not a whole number"},
+        {"//@ spheres frob", "spheres: 'frob' is neither a number, a slider's name nor a .csv file"},
+        {"//@ spheres .csv", "spheres: '.csv' is neither a number"},
         {"//@ sun-disk maybe", "sun-disk needs on or off"},
         {"//@ sun radius 40", "is not a number from 0.01 to 30"},
         {"//@ preset a_name_of_more_than_sixty_three_characters_which_is_too_long_to_be_kept",
@@ -119,6 +126,14 @@ static void test_annotations_refused(void **state) {
         support_write("bad.glsl", "uniform float a; //@ slider 1\nuniform float a; //@ slider 1\n");
     assert_false(scene_read(&scene, twice, &error));
     assert_non_null(strstr(error.text, "bad.glsl:2: uniform 'a' is declared twice"));
+    const char *again = support_write("bad.glsl", "//@ spheres 1\n//@ spheres 2\n");
+    assert_false(scene_read(&scene, again, &error));
+    assert_non_null(strstr(error.text, "bad.glsl:2: spheres is there already"));
+    const char *range =
+        support_write("bad.glsl", "//@ spheres a\nuniform float a; //@ slider 1 min -1 max 5\n");
+    assert_false(scene_read(&scene, range, &error));
+    assert_non_null(
+        strstr(error.text, "bad.glsl:1: spheres: the slider 'a' goes from -1 to 5, past 0 to 1000000"));
 }
 
 static void test_atmosphere(void **state) {

@@ -133,8 +133,8 @@ static void test_file(void **state) {
     float *spheres;
     int count;
     Error error;
-    const char *good = support_write(
-        "good.csv", "\xef\xbb\xbf# of balls\r\n x,y,z,radius\r\n\r\n1, -2,3e0,0.5\r\n# one more\n4,5,6,7,a colour\n8,9,10,11");
+    const char *good = support_write("good.csv", "\xef\xbb\xbf# of balls\r\n x,y,z,radius\r\n\r\n1, "
+                                                 "-2,3e0,0.5\r\n# one more\n4,5,6,7,a colour\n8,9,10,11");
     if (!sphere_file_read(good, 3, &spheres, &count, &error)) fail_msg("%s", error.text);
     assert_int_equal(count, 3);
     static const float expected[] = {1, -2, 3, 0.5F, 4, 5, 6, 7, 8, 9, 10, 11};
@@ -164,7 +164,7 @@ static void test_file(void **state) {
     assert_non_null(strstr(error.text, "none.csv: cannot be read: "));
 }
 
-/* `spheres` stands on line 1, what makes them last; %s is a call. */
+/* A scene: the annotation on line 1, the call of a shape, and on the last line what makes the spheres. */
 static const char *scene(const char *name, const char *spheres, const char *call, const char *makes) {
     char text[4096];
     snprintf(text, sizeof text,
@@ -181,7 +181,8 @@ static const char *scene(const char *name, const char *spheres, const char *call
              "    %s\n"
              "}\n"
              "Material scene_material(Hit hit) {\n"
-             "    return matte(hit.object == 7 ? vec3(hash_3(uvec3(uint(hit.item) + 1u)) >> 8u) / 16777216.0 : vec3(0.5));\n"
+             "    return matte(hit.object == 7 ? vec3(hash_3(uvec3(uint(hit.item) + 1u)) >> 8u) / 16777216.0 "
+             ": vec3(0.5));\n"
              "}\n"
              "%s\n",
              spheres, call, makes);
@@ -189,19 +190,18 @@ static const char *scene(const char *name, const char *spheres, const char *call
 }
 
 static const char together[] = "hit_spheres(ray, 7, hit);";
-static const char each[] =
-    "for (int i = 0; i < 60; i++) { float t = hit.t; vec4 s = scene_sphere(i); if (s.w > 0.0) hit_sphere(ray, vec3(s), s.w, 7, hit); "
-    "if (hit.t < t) hit.item = i; }";
+static const char each[] = "for (int i = 0; i < 60; i++) { float t = hit.t; vec4 s = scene_sphere(i); if "
+                           "(s.w > 0.0) hit_sphere(ray, vec3(s), s.w, 7, hit); "
+                           "if (hit.t < t) hit.item = i; }";
 static const char made[] =
     "vec4 scene_sphere(int i) { vec3 u = vec3(hash_3(uvec3(uint(i))) >> 8u) / 16777216.0;"
     " return vec4(4.0 * u - vec3(2.0, 1.0, 2.0), i % 7 == 3 ? -0.2 : 0.1 + 0.3 * u.x * u.y); }";
 
 static void render(const char *scene_path, const char *picture, const char *more) {
-    support_expect(0, "", "render %s -o %s --size 96x64 --spp 16 --quiet --aov albedo,normal,depth %s", scene_path,
-                   support_path(picture), more);
+    support_expect(0, "", "render %s -o %s --size 96x64 --spp 16 --quiet --aov albedo,normal,depth %s",
+                   scene_path, support_path(picture), more);
 }
 
-/* The mean of |a - b| over all that is in the pictures, and the share of numbers that are the same. */
 static double difference(const char *a, const char *b) {
     support_expect(0, "", "compare %s %s", support_path(a), support_path(b));
     const char *found = strstr(support_out, "relRMSE");
@@ -209,20 +209,24 @@ static double difference(const char *a, const char *b) {
     return atof(found + strcspn(found, "0123456789"));
 }
 
-/* Numbers made by the scene, from a file, and each sphere by itself: the same picture, with the sun too. */
-static void test_picture(void **state) {
-    (void)state;
+static void need_gl(void) {
     Context context;
     support_open(&context);
     context_close(&context);
-    Text csv = {0};
-    scene("each.glsl", "", each, made);
-    render(support_path("each.glsl"), "each.exr", "");
+}
+
+/* Made by the scene, and each sphere asked by itself: the same picture, with the sun too. */
+static void test_picture(void **state) {
+    (void)state;
+    need_gl();
+    render(scene("each.glsl", "", each, made), "each.exr", "");
     render(support_path("each.glsl"), "each_sun.exr", "--sun-disk");
     render(scene("made.glsl", "//@ spheres many", together, made), "made.exr", "");
     render(support_path("made.glsl"), "made_sun.exr", "--sun-disk");
     render(scene("number.glsl", "//@ spheres 60", together, made), "number.exr", "--set many=3");
     render(support_path("made.glsl"), "few.exr", "--set many=30.9");
+    render(scene("none.glsl", "//@ spheres many", together, made), "none.exr", "--set many=0");
+    render(scene("ground.glsl", "", "", made), "ground.exr", "");
     print_message("relRMSE %g %%, with the sun %g %%, by a number %g %%; of half of the spheres %g %%\n",
                   difference("made.exr", "each.exr"), difference("made_sun.exr", "each_sun.exr"),
                   difference("number.exr", "each.exr"), difference("few.exr", "each.exr"));
@@ -230,7 +234,71 @@ static void test_picture(void **state) {
     assert_true(difference("made_sun.exr", "each_sun.exr") < 1e-3);
     assert_true(difference("number.exr", "each.exr") < 1e-3);
     assert_true(difference("few.exr", "each.exr") > 5);
-    text_free(&csv);
+    assert_true(difference("none.exr", "ground.exr") < 1e-3);
+}
+
+/* The file lies beside the scene. */
+static void test_picture_of_file(void **state) {
+    (void)state;
+    static const char three[] = "vec4 scene_sphere(int i) { return vec4(float(i) - 1.0, 0.5, 0.0, 0.4); }";
+    need_gl();
+    support_write("three.csv", "x,y,z,radius\n-1,0.5,0,0.4\n0,0.5,0,0.4\n1,0.5,0,0.4\n");
+    render(scene("file.glsl", "//@ spheres \"three.csv\"", together, ""), "file.exr", "");
+    render(scene("three.glsl", "//@ spheres 3", together, three), "three.exr", "");
+    render(scene("ground.glsl", "", "", ""), "ground.exr", "");
+    assert_true(difference("file.exr", "three.exr") < 1e-3);
+    assert_true(difference("file.exr", "ground.exr") > 5);
+}
+
+static void test_refused(void **state) {
+    (void)state;
+    need_gl();
+#define REFUSED(path, part)                                                                                  \
+    support_expect(3, part, "render %s -o %s --size 16x16", path, support_path("no.png"))
+    REFUSED(scene("a.glsl", "", together, made), "a.glsl:1: hit_spheres() needs `//@ spheres COUNT` or");
+    REFUSED(scene("a.glsl", "//@ spheres 9", together, ""),
+            "a.glsl:1: missing function: vec4 scene_sphere(int i)");
+    REFUSED(scene("a.glsl", "//@ spheres 9", together,
+                  "vec4 scene_sphere(int i) { return vec4(log(float(i - 3)), 0.0, 0.0, 1.0); }"),
+            "a.glsl:1: scene_sphere(0) is not finite or past 1e+07 m");
+    REFUSED(scene("a.glsl", "//@ spheres 9", together,
+                  "vec4 scene_sphere(int i) { return vec4(0.0, i == 7 ? 2.0e7 : 0.0, 0.0, 1.0); }"),
+            "a.glsl:1: scene_sphere(7) is not finite or past 1e+07 m");
+    REFUSED(scene("a.glsl", "//@ spheres 9", together, "vec4 scene_sphere(int i) { return vec3(1.0); }"),
+            "a.glsl:16: ");
+    REFUSED(scene("a.glsl", "//@ spheres none.csv", together, ""), "none.csv: cannot be read: ");
+    support_write("bad.csv", "1,2,3,4\n1,2,3,-4\n");
+    REFUSED(scene("a.glsl", "//@ spheres bad.csv", together, ""), "bad.csv:2: radius: '-4' is not above 0");
+    support_expect(2, "many: '100001' is not a number from 0 to 100000", "render %s -o %s --set many=100001",
+                   scene("a.glsl", "//@ spheres many", together, made), support_path("no.png"));
+}
+
+/* The same table again from other values of the sliders; too large a one for the OpenGL. */
+static void test_fill(void **state) {
+    (void)state;
+    Context context;
+    Scene read;
+    Spheres spheres;
+    Error error;
+    support_open(&context);
+    if (!scene_read(&read, scene("fill.glsl", "//@ spheres many", together, made), &error))
+        fail_msg("%s", error.text);
+    if (!spheres_create(&spheres, &context, "glsl", &read, &error)) fail_msg("%s", error.text);
+    int entries = spheres.entries;
+    assert_true(entries >= 60 - 9);
+    assert_true(scene_set(&read, "many", "5000", &error) && spheres_fill(&spheres, &read, &error));
+    assert_true(spheres.entries > 50 * entries);
+    spheres.max_texture_size = 4096;
+    assert_true(scene_set(&read, "many", "3000", &error) && spheres_fill(&spheres, &read, &error));
+    spheres.max_texture_size = 20;
+    assert_false(spheres_fill(&spheres, &read, &error));
+    assert_non_null(strstr(error.text, "fill.glsl:1: too many spheres: they need a texture of 4096x"));
+    spheres.max_texture_size = context.max_texture_size;
+    assert_true(scene_set(&read, "many", "60", &error) && spheres_fill(&spheres, &read, &error));
+    assert_int_equal(spheres.entries, entries);
+    spheres_destroy(&spheres);
+    scene_destroy(&read);
+    context_close(&context);
 }
 
 int main(void) {
@@ -239,6 +307,9 @@ int main(void) {
         cmocka_unit_test(test_near_first),
         cmocka_unit_test(test_file),
         cmocka_unit_test(test_picture),
+        cmocka_unit_test(test_picture_of_file),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_fill),
     };
     return cmocka_run_group_tests_name("spheres", tests, support_folder, support_clean);
 }

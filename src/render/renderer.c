@@ -34,8 +34,8 @@ static bool uses_sky_sampler(const Methods *methods) {
     return strcmp(methods->light.method->name, "mis") == 0;
 }
 
-/* Loop iterations at one hit, with those of its rays' searches, and the bounds and mirror spheres that it looks
- * for. */
+/* Loop iterations at one hit, with those of its rays' searches, and the bounds and mirror spheres that it
+ * looks for. */
 static long hit_iterations(const Methods *methods, const Scene *scene, long search) {
     bool sun = strcmp(methods->sun.method->name, "sampled") == 0;
     long rays = 1 + (sun ? 1 : 0) + (sun && scene->mirror_count ? 2 : 0);
@@ -52,8 +52,7 @@ static bool choose_group(Renderer *renderer, const Methods *methods, const Rende
     long hit = hit_iterations(methods, params->scene, search);
     long others = 1 + (sky->table ? 0 : sky->iterations) * (uses_control(methods) ? 2 : 1);
     long most = (LOOP_LIMIT - others) / hit - 1;
-    if (!params->max_hits && search && most > 16 && most < renderer->max_hits)
-        renderer->max_hits = (int)most;
+    if (!params->max_hits && search && most > 16 && most < renderer->max_hits) renderer->max_hits = (int)most;
     long iterations = others + (renderer->max_hits + 1L) * hit;
     if (iterations > LOOP_LIMIT || sky->iterations > LOOP_LIMIT) {
         return error_set(error, STATUS_USAGE,
@@ -99,19 +98,20 @@ static int picture_height(const RenderParams *params) {
 /* What a scene's own text and its includes say, so that nothing more is compiled and errors are about the
  * scene. */
 typedef struct SceneNeeds {
-    bool search;          /* whether its rays search by loops (glsl/shape/search.glsl) */
+    bool search;            /* whether its rays search by loops (glsl/shape/search.glsl) */
     long search_iterations; /* of one ray */
 } SceneNeeds;
 
 /* `calls` of hit_spheres(). */
 static bool check_spheres(const Scene *scene, const GlslSource *source, int calls, Error *error) {
     if (calls && !scene->spheres[0]) {
-        return error_set(error, STATUS_SCENE, "%s:1: hit_spheres() needs `//@ spheres COUNT` or `//@ spheres FILE.csv`",
+        return error_set(error, STATUS_SCENE,
+                         "%s:1: hit_spheres() needs `//@ spheres COUNT` or `//@ spheres FILE.csv`",
                          scene->path);
     }
     if (scene->spheres[0] && scene_sphere_count(scene) >= 0 && !glsl_source_defines(source, "scene_sphere")) {
-        return error_set(error, STATUS_SCENE, "%s:%d: missing function: vec4 scene_sphere(int i)", scene->path,
-                         scene->spheres_line);
+        return error_set(error, STATUS_SCENE, "%s:%d: missing function: vec4 scene_sphere(int i)",
+                         scene->path, scene->spheres_line);
     }
     return true;
 }
@@ -131,8 +131,8 @@ static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *err
     int marches = glsl_source_calls(&source, "march"), spheres = glsl_source_calls(&source, "hit_spheres");
     if (ok) ok = check_spheres(params->scene, &source, spheres, error);
     *needs = (SceneNeeds){.search = glsl_source_includes(&source, "shape/search.glsl"),
-                          .search_iterations = (long)marches * MARCH_ITERATIONS +
-                                               (long)spheres * SPHERES_ITERATIONS};
+                          .search_iterations =
+                              (long)marches * MARCH_ITERATIONS + (long)spheres * SPHERES_ITERATIONS};
     glsl_source_destroy(&source);
     return ok;
 }

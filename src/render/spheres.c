@@ -24,7 +24,8 @@ static bool create_fill(Spheres *spheres, const char *library, const Scene *scen
 }
 
 /* Draws scene_sphere(0 .. rows * FILL_COLUMNS - 1), of radius 0 from `count` on. */
-static bool draw(const Spheres *spheres, const Scene *scene, int count, int rows, float *numbers, Error *error) {
+static bool draw(const Spheres *spheres, const Scene *scene, int count, int rows, float *numbers,
+                 Error *error) {
     const GlApi *gl = spheres->gl;
     GLuint framebuffer = 0, texture = texture_create(gl, FILL_COLUMNS, rows, GL_NEAREST, NULL);
     gl->GenFramebuffers(1, &framebuffer);
@@ -46,8 +47,8 @@ static bool draw(const Spheres *spheres, const Scene *scene, int count, int rows
 static bool check(const Scene *scene, const float *numbers, int count, Error *error) {
     for (int i = 0; i < 4 * count; i++) {
         if (fabs((double)numbers[i]) <= farthest_m) continue;
-        return error_set(error, STATUS_SCENE, "%s:%d: scene_sphere(%d) is not finite or past %g m", scene->path,
-                         scene->spheres_line, i / 4, farthest_m);
+        return error_set(error, STATUS_SCENE, "%s:%d: scene_sphere(%d) is not finite or past %g m",
+                         scene->path, scene->spheres_line, i / 4, farthest_m);
     }
     return true;
 }
@@ -62,13 +63,15 @@ static bool get(const Spheres *spheres, const Scene *scene, float **numbers, int
     }
     int rows = (*count + FILL_COLUMNS - 1) / FILL_COLUMNS;
     *numbers = memory_get((size_t)rows * FILL_COLUMNS, 4 * sizeof **numbers);
-    return !rows || (draw(spheres, scene, *count, rows, *numbers, error) && check(scene, *numbers, *count, error));
+    return !rows ||
+           (draw(spheres, scene, *count, rows, *numbers, error) && check(scene, *numbers, *count, error));
 }
 
 static bool upload(Spheres *spheres, const Scene *scene, const SphereTree *tree, Error *error) {
     int rows = tree->rows ? tree->rows : 1, columns = tree->rows ? SPHERE_TREE_COLUMNS : 1;
     if (columns > spheres->max_texture_size || rows > spheres->max_texture_size) {
-        return error_set(error, STATUS_SCENE, "%s:%d: too many spheres: they need a texture of %dx%d, this OpenGL's "
+        return error_set(error, STATUS_SCENE,
+                         "%s:%d: too many spheres: they need a texture of %dx%d, this OpenGL's "
                          "limit is %d",
                          scene->path, scene->spheres_line, columns, rows, spheres->max_texture_size);
     }

@@ -14,12 +14,13 @@ typedef struct Spheres {
 } Spheres;
 
 /* Compiles what it needs and fills the table. Nothing where the scene has no such spheres. */
-MUST_CHECK bool spheres_create(Spheres *spheres, const Context *context, const char *library, const Scene *scene,
-                               Error *error);
+MUST_CHECK bool spheres_create(Spheres *spheres, const Context *context, const char *library,
+                               const Scene *scene, Error *error);
 void spheres_destroy(Spheres *spheres);
 
-/* Makes the spheres anew from the scene's values as they are. The program in use and the framebuffer that is bound
- * change. STATUS_SCENE for spheres that are not finite or too many for this OpenGL, and errors in the file. */
+/* Makes the spheres anew from the scene's values as they are. The program in use and the framebuffer that is
+ * bound change. STATUS_SCENE for spheres that are not finite or too many for this OpenGL, and errors in the
+ * file. */
 MUST_CHECK bool spheres_fill(Spheres *spheres, const Scene *scene, Error *error);
 
 /* The file for the slot <spheres> of a program that holds the scene. */

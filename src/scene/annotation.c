@@ -385,12 +385,13 @@ static bool check_many_spheres(const Scene *scene, Error *error) {
     if (!word[0] || number_parse(word, &number) || is_file(word)) return true;
     const Parameter *slider = find_slider(scene, word);
     if (!slider) {
-        return error_set(error, STATUS_SCENE, "%s:%d: spheres: '%s' is neither a number, a slider's name nor a .csv file",
+        return error_set(error, STATUS_SCENE,
+                         "%s:%d: spheres: '%s' is neither a number, a slider's name nor a .csv file",
                          scene->path, scene->spheres_line, word);
     }
     if (slider->min >= 0 && slider->max <= SCENE_MOST_SPHERES) return true;
-    return error_set(error, STATUS_SCENE, "%s:%d: spheres: the slider '%s' goes from %g to %g, past 0 to %d", scene->path,
-                     scene->spheres_line, word, slider->min, slider->max, SCENE_MOST_SPHERES);
+    return error_set(error, STATUS_SCENE, "%s:%d: spheres: the slider '%s' goes from %g to %g, past 0 to %d",
+                     scene->path, scene->spheres_line, word, slider->min, slider->max, SCENE_MOST_SPHERES);
 }
 
 bool annotation_read(Scene *scene, Error *error) {

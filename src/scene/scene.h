@@ -54,7 +54,8 @@ typedef struct Scene {
     int bound_count;
     NamedSphere mirrors[MOST_NAMED_SPHERES]; /* mirrors in the shape of a sphere */
     int mirror_count;
-    char spheres[256]; /* for hit_spheres(): how many, as a number or a slider's name, or a CSV file; or empty */
+    char spheres[256]; /* for hit_spheres(): how many, as a number or a slider's name, or a CSV file; or empty
+                        */
     int spheres_line;
 } Scene;
 

@@ -30,7 +30,8 @@ static bool read_line(char *line, int *rows, int most, float **spheres, int *cou
     if (!(*rows)++ && *start == 'x') return true;
     if (*count == most) return error_set(error, STATUS_SCENE, "more than %d spheres", most);
     /* Doubled each time it is full. */
-    if (!(*count & (*count - 1))) *spheres = memory_grow(*spheres, 2 * (size_t)*count + 1, 4 * sizeof **spheres);
+    if (!(*count & (*count - 1)))
+        *spheres = memory_grow(*spheres, 2 * (size_t)*count + 1, 4 * sizeof **spheres);
     return read_row(line, *spheres + 4 * (*count)++, error);
 }
 
@@ -41,7 +42,8 @@ bool sphere_file_read(const char *path, int most, float **spheres, int *count, E
     *count = 0;
     bool ok = file_read(path, STATUS_SCENE, &file, error);
     if (ok) text_append(&file, "", 0);
-    if (ok && memchr(file.data, 0, file.size)) ok = error_set(error, STATUS_SCENE, "%s:1: not a text file", path);
+    if (ok && memchr(file.data, 0, file.size))
+        ok = error_set(error, STATUS_SCENE, "%s:1: not a text file", path);
     char *start = file.data;
     if (ok && strncmp(start, "\xef\xbb\xbf", 3) == 0) start += 3;
     for (char *line = start; ok && *line; number++) {

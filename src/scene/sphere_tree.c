@@ -16,8 +16,8 @@ typedef struct Item {
     int number; /* of the sphere */
 } Item;
 
-/* A box with what it holds: two nodes, the lower one along `axis` right behind this one, or, where `other` is 0,
- * items. A node of one item has no box in the lists. */
+/* A box with what it holds: two nodes, the lower one along `axis` right behind this one, or, where `other` is
+ * 0, items. A node of one item has no box in the lists. */
 typedef struct Node {
     Box box;
     int first, count; /* of the items */
@@ -84,8 +84,8 @@ static int bin_of(const Cut *cut, const Box *box) {
     return bin < 0 ? 0 : bin < BINS ? bin : BINS - 1;
 }
 
-/* Of a part: its box, and what it holds where that is met, by the surface area heuristic; a sphere alone needs no
- * box. */
+/* Of a part: its box, and what it holds where that is met, by the surface area heuristic; a sphere alone
+ * needs no box. */
 static double part_cost(const Box *box, int count, double whole_area) {
     return count == 1 ? 1 : 1 + count * half_area(box) / whole_area;
 }
