@@ -1,7 +1,7 @@
 /* Many spheres: the tree, files and annotations that are wrong, and pictures of them. */
 #include "support.h"
 
-#include "render/spheres.h"
+#include "render/aov.h"
 #include "scene/sphere_file.h"
 #include "scene/sphere_tree.h"
 
@@ -11,7 +11,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { MANY = 100000 };
+enum { MANY = 100000, WIDTH = 96, HEIGHT = 64, PIXELS = WIDTH * HEIGHT };
 
 static unsigned random_state;
 
@@ -198,8 +198,8 @@ static const char made[] =
     " return vec4(4.0 * u - vec3(2.0, 1.0, 2.0), i % 7 == 3 ? -0.2 : 0.1 + 0.3 * u.x * u.y); }";
 
 static void render(const char *scene_path, const char *picture, const char *more) {
-    support_expect(0, "", "render %s -o %s --size 96x64 --spp 16 --quiet --aov albedo,normal,depth %s",
-                   scene_path, support_path(picture), more);
+    support_expect(0, "", "render %s -o %s --size %dx%d --spp 16 --quiet %s", scene_path,
+                   support_path(picture), WIDTH, HEIGHT, more);
 }
 
 static double difference(const char *a, const char *b) {
@@ -235,6 +235,51 @@ static void test_picture(void **state) {
     assert_true(difference("number.exr", "each.exr") < 1e-3);
     assert_true(difference("few.exr", "each.exr") > 5);
     assert_true(difference("none.exr", "ground.exr") < 1e-3);
+}
+
+/* The layers of a picture of 7 floats a pixel. */
+static void read_layers(const Context *context, const char *path, float *layers) {
+    Scene read;
+    Renderer renderer;
+    Aov aov;
+    Error error;
+    unsigned kinds;
+    if (!scene_read(&read, path, &error)) fail_msg("%s", error.text);
+    RenderParams params = {.scene = &read, .library = "glsl", .width = WIDTH, .height = HEIGHT};
+    Image image = {.width = WIDTH, .height = HEIGHT};
+    if (!aov_parse("albedo,normal,depth", &kinds, &error) ||
+        !renderer_create(&renderer, context, &params, &error) ||
+        !aov_create(&aov, kinds, context, &params, &renderer, &error) ||
+        !renderer_pass(&renderer, 1, NULL, &error) || !aov_pass(&aov, &renderer, NULL, &error) ||
+        !aov_read(&aov, &renderer.film, &image, &error)) {
+        fail_msg("%s", error.text);
+    }
+    assert_int_equal(image.layer_count, 3);
+    static const size_t first[] = {0, 3, 6}, count[] = {3, 3, 1};
+    for (int i = 0; i < 3; i++)
+        memcpy(layers + first[i] * PIXELS, image.layers[i].data, count[i] * PIXELS * sizeof *layers);
+    image_free(&image);
+    aov_destroy(&aov);
+    renderer_destroy(&renderer);
+    scene_destroy(&read);
+}
+
+static void test_layers(void **state) {
+    (void)state;
+    static float a[7 * PIXELS], b[7 * PIXELS], ground[7 * PIXELS];
+    Context context;
+    double off = 0, apart = 0;
+    support_open(&context);
+    read_layers(&context, scene("made.glsl", "//@ spheres many", together, made), a);
+    read_layers(&context, scene("each.glsl", "", each, made), b);
+    read_layers(&context, scene("ground.glsl", "", "", made), ground);
+    for (int i = 0; i < 7 * PIXELS; i++) {
+        off += fabs((double)(a[i] - b[i])) / fmax(1, fabs((double)b[i]));
+        apart += fabs((double)(a[i] - ground[i])) / fmax(1, fabs((double)b[i]));
+    }
+    assert_true(apart / (7 * PIXELS) > 0.05);
+    assert_true(off / (7 * PIXELS) < 1e-6);
+    context_close(&context);
 }
 
 /* The file lies beside the scene. */
@@ -303,13 +348,10 @@ static void test_fill(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tree),
-        cmocka_unit_test(test_near_first),
-        cmocka_unit_test(test_file),
-        cmocka_unit_test(test_picture),
-        cmocka_unit_test(test_picture_of_file),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_fill),
+        cmocka_unit_test(test_tree),    cmocka_unit_test(test_near_first),
+        cmocka_unit_test(test_file),    cmocka_unit_test(test_picture),
+        cmocka_unit_test(test_layers),  cmocka_unit_test(test_picture_of_file),
+        cmocka_unit_test(test_refused), cmocka_unit_test(test_fill),
     };
     return cmocka_run_group_tests_name("spheres", tests, support_folder, support_clean);
 }
