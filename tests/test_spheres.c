@@ -250,7 +250,7 @@ static void read_layers(const Context *context, const char *path, float *layers)
     if (!aov_parse("albedo,normal,depth", &kinds, &error) ||
         !renderer_create(&renderer, context, &params, &error) ||
         !aov_create(&aov, kinds, context, &params, &renderer, &error) ||
-        !renderer_pass(&renderer, 1, NULL, &error) || !aov_pass(&aov, &renderer, NULL, &error) ||
+        !renderer_pass(&renderer, 1, NULL, &error) || !aov_pass(&aov, &renderer, 1, NULL, &error) ||
         !aov_read(&aov, &renderer.film, &image, &error)) {
         fail_msg("%s", error.text);
     }

@@ -16,8 +16,8 @@ enum {
        1e-22. */
     UNLIMITED_HITS = 1000,
     /* Of one march() and one hit_spheres(): some 20 are usual, the most are MARCH_STEPS
-       (glsl/shape/march.glsl) and SPHERES_STEPS (glsl/shape/spheres.glsl). What goes beyond all loops together
-       is noticed (glsl/pass/search.glsl) and counted. */
+       (glsl/shape/march.glsl) and SPHERES_STEPS (glsl/shape/spheres.glsl). What goes beyond all loops
+       together is noticed (glsl/pass/search.glsl) and counted. */
     MARCH_ITERATIONS = 200,
     SPHERES_ITERATIONS = 200
 };
