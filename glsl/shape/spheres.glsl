@@ -14,7 +14,8 @@
 vec4 spheres_texel(int i);
 int spheres_entries(); // of one list
 
-// One ray looks at SPHERES_STEPS entries at most.
+// One ray looks at SPHERES_STEPS entries at most: twenty to seventy are usual, of 100,000 spheres with little overlap a thousand
+// are the most.
 const int SPHERES_STEPS = 4096;
 const float SPHERES_LEAST = 1.0e-20; // of a direction's component: dividing by it overflows nothing, and 0 / 0 is not met
 const float SPHERES_ROUND = 1.0000006; // what float may round away between entering and leaving (Ize 2013)
