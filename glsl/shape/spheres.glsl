@@ -41,8 +41,9 @@ void hit_spheres(Ray ray, int object, INOUT(Hit) hit) {
         vec4 b = spheres_texel(2 * at + 1);
         vec3 off = vec3(a) - ray.origin;
         bool sphere = b.w == 0.0;
-        float along = sphere_along(off, ray.direction, a.w);
-        if (sphere && along < t) {
+        float along = 0.0;
+        bool meets = sphere_meets(off, ray.direction, a.w, along);
+        if (sphere && meets && along < t) {
             t = along;
             item = int(b.x);
             nearest = a;
