@@ -7,6 +7,10 @@ float sky_pdf(vec3 direction);
 
 const float SKY_SHARE = 0.5; // of the bounces
 
+float path_pdf(Material material, vec3 normal, vec3 incoming, vec3 outgoing) {
+    return SKY_SHARE * sky_pdf(outgoing) + (1.0 - SKY_SHARE) * material_pdf(material, normal, incoming, outgoing);
+}
+
 // u.x, stretched, serves again: numbers that are spread evenly stay so in each of the two halves.
 Bounce path_bounce(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
     bool sky = u.x < SKY_SHARE;
@@ -14,8 +18,7 @@ Bounce path_bounce(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v
     Bounce bounce = material_sample(material, normal, incoming, rest, v);
     if (bounce.pdf > 0.0) {
         if (sky) bounce.direction = sky_sample(rest);
-        float own = material_pdf(material, normal, incoming, bounce.direction);
-        bounce.pdf = SKY_SHARE * sky_pdf(bounce.direction) + (1.0 - SKY_SHARE) * own;
+        bounce.pdf = path_pdf(material, normal, incoming, bounce.direction);
         bounce.weight = material_value(material, normal, incoming, bounce.direction) / max(bounce.pdf, 1.0e-20);
         bounce.lambert = false;
     }

@@ -5,6 +5,7 @@
 // is blocked, the blocker's light less the sky's behind it. The mean is the same and the open sky's noise is gone. Some of these
 // bounces go toward what may block the sky, where the scene says where that is (bounds). On slopes and in hollows much is blocked,
 // and there the plain cosine does better.
+#include "emission/ask.glsl"
 #include "math/cone.glsl"
 #include "light/irradiance.glsl"
 #include "light/lambert.glsl"
@@ -51,21 +52,25 @@ BlockerChoice blocker_choice(vec3 position, vec3 normal, vec2 u) {
     return choice;
 }
 
-// A bounce from Lambert's ground, drawn by the cosine, or anew toward the chosen bound. Its weight is cos / pi over the density of
-// all parts together; 0 for a direction into the ground.
-Bounce blocker_bounce(Bounce bounce, vec3 position, vec3 normal, BlockerChoice choice) {
-    if (!choice.cosine) bounce.direction = cone_sample(choice.cone, choice.u);
-    float cosine = max(dot(bounce.direction, normal), 0.0) / PI;
+// The density of all parts together, 1/sr.
+float blocker_pdf(vec3 position, vec3 normal, vec3 direction) {
     float density = 0.0;
     float left = 1.0;
     for (int i = 0; i < SCENE_BOUNDS; i++) {
         Cone cone = blocker_cone(i, position);
         float share = blocker_share(cone, normal);
-        if (share > 0.0) density += share * cone_pdf(cone, bounce.direction);
+        if (share > 0.0) density += share * cone_pdf(cone, direction);
         left -= share;
     }
-    float together = left * cosine + density;
-    bounce.weight *= together > 0.0 ? cosine / together : 0.0;
+    return left * matte_density(dot(direction, normal)) + density;
+}
+
+// A bounce from Lambert's ground, drawn by the cosine, or anew toward the chosen bound; its weight is 0 for a direction into the
+// ground.
+Bounce blocker_bounce(Bounce bounce, vec3 position, vec3 normal, BlockerChoice choice) {
+    if (!choice.cosine) bounce.direction = cone_sample(choice.cone, choice.u);
+    bounce.pdf = blocker_pdf(position, normal, bounce.direction);
+    bounce.weight *= bounce.pdf > 0.0 ? matte_density(dot(bounce.direction, normal)) / bounce.pdf : 0.0;
     return bounce;
 }
 
@@ -73,6 +78,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     vec3 throughput = vec3(1.0);
     vec3 gathered = vec3(0.0); // at the hits so far
     int sun = SUN_SOUGHT;
+    float share = 1.0; // of the light that the next hit emits
     vec3 known = vec3(0.0);   // the open sky's light on the first level ground
     vec3 control = vec3(0.0); // what the bounce from there takes off, over the sky's radiance behind it
     vec3 control_direction = vec3(0.0, 1.0, 0.0);
@@ -84,24 +90,31 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     do {
         Hit hit = surface_hit(ray);
         escaped = hit.t >= INFINITY;
+        gathered += throughput * emission_met(hit, ray.direction, share);
         alive = !escaped && hits < max_hits;
         if (alive) {
             vec2 u = sequence_pair(sequence);
             vec2 v = sequence_pair(sequence);
             Material material = surface_material(hit);
             bool level = hit.normal.y >= LEVEL_GROUND && !controlled;
+            vec3 toward = emission_direction(hit, sequence);
             BlockerChoice choice = blocker_choice(hit.position, hit.normal, u);
             Bounce bounce = material_sample(material, hit.normal, ray.direction, level ? choice.u : u, v);
             hits += 1;
             gathered += throughput * sun_reflected(hit, material, ray.direction, max_hits - hits, sequence);
             sun = sun_after_bounce(sun, hit, material, ray.direction, bounce);
-            if (bounce.lambert && level) {
+            bool lambert = bounce.lambert && level;
+            float rival = lambert ? blocker_pdf(hit.position, hit.normal, toward)
+                                  : material_pdf(material, hit.normal, ray.direction, toward);
+            gathered += throughput * emission_reflected(hit, material, ray.direction, toward, rival);
+            if (lambert) {
                 controlled = true;
                 control_hits = hits;
                 known = throughput * bounce.weight * sky_irradiance_over_pi(hit.normal);
                 bounce = blocker_bounce(bounce, hit.position, hit.normal, choice);
                 control_direction = bounce.direction;
             }
+            share = emission_share(hit, bounce);
             throughput *= bounce.weight;
             ray = ray_from(hit, bounce.direction);
             float survival = roulette_survival(throughput, hits);

@@ -1,23 +1,28 @@
 // The path: rays bounce in the scene, without air between the hits, and whoever escapes brings the sky's radiance back.
+#include "emission/ask.glsl"
 #include "light/roulette.glsl"
 #include "light/surface.glsl"
 #include "sun/ask.glsl"
 #include "math/finite.glsl"
 
+// How paths go on, and the density of that, 1/sr.
+Bounce path_bounce(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
+float path_pdf(Material material, vec3 normal, vec3 incoming, vec3 outgoing);
+
 // Radiance that comes back along `ray`, with at most `max_hits` surface hits. The sky is asked once, after the loop,
 // where all of a picture's neighbours ask together.
-Bounce path_bounce(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
-
 vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     vec3 throughput = vec3(1.0);
     vec3 gathered = vec3(0.0); // at the hits so far
     int sun = SUN_SOUGHT;
+    float share = 1.0; // of the light that the next hit emits
     int hits = 0;
     bool escaped = false;
     bool alive = true;
     do {
         Hit hit = surface_hit(ray);
         escaped = hit.t >= INFINITY;
+        gathered += throughput * emission_met(hit, ray.direction, share);
         alive = !escaped && hits < max_hits;
         if (alive) {
             vec2 u = sequence_pair(sequence);
@@ -27,6 +32,10 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             hits += 1;
             gathered += throughput * sun_reflected(hit, material, ray.direction, max_hits - hits, sequence);
             sun = sun_after_bounce(sun, hit, material, ray.direction, bounce);
+            vec3 toward = emission_direction(hit, sequence);
+            float rival = path_pdf(material, hit.normal, ray.direction, toward);
+            gathered += throughput * emission_reflected(hit, material, ray.direction, toward, rival);
+            share = emission_share(hit, bounce);
             throughput *= bounce.weight;
             ray = ray_from(hit, bounce.direction);
             float survival = roulette_survival(throughput, hits);

@@ -9,6 +9,7 @@
 #include <materials>
 #include <sun>
 #include <sun-image>
+#include <emission>
 #include <light>
 #include "math/finite.glsl"
 #include "pass/camera.glsl"

@@ -26,6 +26,14 @@ typedef struct Methods {
     MethodChoice sky, light, sequence, sun;
 } Methods;
 
+/* What a scene's own text and its includes say, so that nothing more is compiled and errors are about the
+ * scene. */
+typedef struct SceneNeeds {
+    bool search;            /* whether its rays search by loops (glsl/shape/search.glsl) */
+    long search_iterations; /* of one ray */
+    bool emits;             /* whether one of its materials does */
+} SceneNeeds;
+
 static bool uses_control(const Methods *methods) {
     return strcmp(methods->light.method->name, "control") == 0;
 }
@@ -34,25 +42,26 @@ static bool uses_sky_sampler(const Methods *methods) {
     return strcmp(methods->light.method->name, "mis") == 0;
 }
 
-/* Loop iterations at one hit, with those of its rays' searches, and the bounds and mirror spheres that it
- * looks for. */
-static long hit_iterations(const Methods *methods, const Scene *scene, long search) {
+/* Loop iterations at one hit, with those of its rays' searches, and the bounds, mirror spheres and emitters
+ * that it looks for. */
+static long hit_iterations(const Methods *methods, const SceneNeeds *needs, const Scene *scene) {
     bool sun = strcmp(methods->sun.method->name, "sampled") == 0;
-    long rays = 1 + (sun ? 1 : 0) + (sun && scene->mirror_count ? 2 : 0);
-    long bounds = uses_control(methods) ? 2L * scene->bound_count : 0;
+    long emitters = needs->emits ? scene->emitter_count : 0;
+    long rays = 1 + (sun ? 1 : 0) + (sun && scene->mirror_count ? 2 : 0) + (emitters ? 1 : 0);
+    long bounds = uses_control(methods) ? (emitters ? 3L : 2L) * scene->bound_count : 0;
     long mirrors = sun && scene->mirror_count ? 6 + 5L * scene->mirror_count : 0;
-    return 1 + rays * search + bounds + mirrors;
+    return 1 + rays * needs->search_iterations + bounds + mirrors + 3 * emitters;
 }
 
-/* `search`: iterations of a ray's searches. Where a scene has these, "unlimited" is as many hits as the loops
- * allow. */
-static bool choose_group(Renderer *renderer, const Methods *methods, const RenderParams *params, long search,
-                         Error *error) {
+/* Where much is looked for at a hit, "unlimited" is as many hits as the loops allow. */
+static bool choose_group(Renderer *renderer, const Methods *methods, const SceneNeeds *needs,
+                         const RenderParams *params, Error *error) {
     const MethodChoice *sky = &methods->sky;
-    long hit = hit_iterations(methods, params->scene, search);
+    long hit = hit_iterations(methods, needs, params->scene);
     long others = 1 + (sky->table ? 0 : sky->iterations) * (uses_control(methods) ? 2 : 1);
     long most = (LOOP_LIMIT - others) / hit - 1;
-    if (!params->max_hits && search && most > 16 && most < renderer->max_hits) renderer->max_hits = (int)most;
+    if (!params->max_hits && hit > 1 && most > 16 && most < renderer->max_hits)
+        renderer->max_hits = (int)most;
     long iterations = others + (renderer->max_hits + 1L) * hit;
     if (iterations > LOOP_LIMIT || sky->iterations > LOOP_LIMIT) {
         return error_set(error, STATUS_USAGE,
@@ -95,13 +104,6 @@ static int picture_height(const RenderParams *params) {
     return params->height ? params->height : params->scene->height;
 }
 
-/* What a scene's own text and its includes say, so that nothing more is compiled and errors are about the
- * scene. */
-typedef struct SceneNeeds {
-    bool search;            /* whether its rays search by loops (glsl/shape/search.glsl) */
-    long search_iterations; /* of one ray */
-} SceneNeeds;
-
 /* `calls` of hit_spheres(). */
 static bool check_spheres(const Scene *scene, const GlslSource *source, int calls, Error *error) {
     if (calls && !scene->spheres[0]) {
@@ -132,7 +134,8 @@ static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *err
     if (ok) ok = check_spheres(params->scene, &source, spheres, error);
     *needs = (SceneNeeds){.search = glsl_source_includes(&source, "shape/search.glsl"),
                           .search_iterations =
-                              (long)marches * MARCH_ITERATIONS + (long)spheres * SPHERES_ITERATIONS};
+                              (long)marches * MARCH_ITERATIONS + (long)spheres * SPHERES_ITERATIONS,
+                          .emits = glsl_source_emits(&source)};
     glsl_source_destroy(&source);
     return ok;
 }
@@ -153,11 +156,15 @@ static void write_spheres(Text *text, const char *count_name, const char *functi
 static bool flatten(const Methods *methods, const SceneNeeds *needs, const RenderParams *params, bool image,
                     GlslSource *source, Error *error) {
     const Scene *scene = params->scene;
-    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 8] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
+    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 10] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
     SkySlotText text;
-    Text bounds = {0}, mirrors = {0};
+    Text bounds = {0}, mirrors = {0}, emitters = {0};
+    const char *emission = !needs->emits          ? "emission/none.glsl"
+                           : scene->emitter_count ? "emission/sampled.glsl"
+                                                  : "emission/chance.glsl";
     write_spheres(&bounds, "SCENE_BOUNDS", "scene_bound", scene->bounds, scene->bound_count);
     write_spheres(&mirrors, "MIRROR_SPHERES", "mirror_sphere", scene->mirrors, scene->mirror_count);
+    write_spheres(&emitters, "EMITTER_SPHERES", "emitter_sphere", scene->emitters, scene->emitter_count);
     sky_slots(&methods->sky, &scene->atmosphere, slots, &text);
     sun_slots(&methods->sun, scene, image, text_string(&mirrors), slots + SKY_SLOTS);
     slot[0] = (GlslSlot){"sequence", methods->sequence.method->file, NULL};
@@ -167,9 +174,12 @@ static bool flatten(const Methods *methods, const SceneNeeds *needs, const Rende
     slot[4] = (GlslSlot){"scatter", params->variance ? "pass/scatter.glsl" : "pass/scatter_none.glsl", NULL};
     slot[5] = (GlslSlot){"search", needs->search ? "pass/search.glsl" : "pass/search_none.glsl", NULL};
     slot[6] = (GlslSlot){"spheres", spheres_slot(scene), NULL};
+    slot[7] = (GlslSlot){"emission", emission, NULL};
+    slot[8] = (GlslSlot){"emitter-spheres", NULL, text_string(&emitters)};
     bool ok = glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
     text_free(&bounds);
     text_free(&mirrors);
+    text_free(&emitters);
     return ok;
 }
 
@@ -275,7 +285,7 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
                            .max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS};
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
         !read_needs(params, &needs, error) || !choose_methods(&methods, params, width, height, error) ||
-        !choose_group(renderer, &methods, params, needs.search_iterations, error)) {
+        !choose_group(renderer, &methods, &needs, params, error)) {
         goto fail;
     }
     renderer->light = methods.light;

@@ -201,6 +201,10 @@ static bool read_mirror_sphere(Line *line, Error *error) {
     return read_sphere(line, line->scene->mirrors, &line->scene->mirror_count, error);
 }
 
+static bool read_emitter_sphere(Line *line, Error *error) {
+    return read_sphere(line, line->scene->emitters, &line->scene->emitter_count, error);
+}
+
 static bool is_file(const char *word) {
     size_t length = strlen(word);
     return length > 4 && strcmp(word + length - 4, ".csv") == 0;
@@ -318,6 +322,7 @@ static const struct {
     {"sun-disk", read_sun_disk}, {"mirror-sphere", read_mirror_sphere},
     {"slider", read_slider},     {"checkbox", read_checkbox},
     {"color", read_color},       {"spheres", read_many_spheres},
+    {"emitter-sphere", read_emitter_sphere},
 };
 enum { ANNOTATIONS = sizeof annotations / sizeof *annotations };
 
@@ -417,5 +422,6 @@ bool annotation_read(Scene *scene, Error *error) {
     text_free(&file);
     return ok && check_spheres(scene, "bound", scene->bounds, scene->bound_count, error) &&
            check_spheres(scene, "mirror-sphere", scene->mirrors, scene->mirror_count, error) &&
+           check_spheres(scene, "emitter-sphere", scene->emitters, scene->emitter_count, error) &&
            check_many_spheres(scene, error) && try_presets(scene, error);
 }

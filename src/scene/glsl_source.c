@@ -86,6 +86,36 @@ static void generate_dispatch(GlslSource *source, const char *type, const char *
     text_print(text, "}\n");
 }
 
+static bool emits(const GlslSource *source, int material) {
+    char function[80];
+    snprintf(function, sizeof function, "%s_emitted", source->materials[material]);
+    return glsl_source_defines(source, function);
+}
+
+bool glsl_source_emits(const GlslSource *source) {
+    for (int i = 0; i < source->material_count; i++) {
+        if (emits(source, i)) return true;
+    }
+    return false;
+}
+
+/* Only some materials emit, and only they need a function for it. */
+static void generate_emitted(GlslSource *source) {
+    Text calls = {0};
+    for (int i = 0; i < source->material_count; i++) {
+        if (emits(source, i))
+            text_print(&calls, "    if (material.kind == %d) return %s_emitted(material, normal, incoming);\n",
+                       i, source->materials[i]);
+    }
+    if (calls.size) {
+        text_print(&source->text,
+                   "vec3 material_emitted(Material material, vec3 normal, vec3 incoming) {\n%s"
+                   "    return vec3(0.0);\n}\n",
+                   text_string(&calls));
+    }
+    text_free(&calls);
+}
+
 static void generate_materials(GlslSource *source) {
     int number = list_add(&source->files, &source->file_count, "<materials>");
     text_print(&source->text, "#line 1 %d\n", number);
@@ -93,6 +123,7 @@ static void generate_materials(GlslSource *source) {
                       "Bounce(normal, vec3(0.0), 0.0, false)");
     generate_dispatch(source, "float", "pdf", "vec3 outgoing", "outgoing", "0.0");
     generate_dispatch(source, "vec3", "value", "vec3 outgoing", "outgoing", "vec3(0.0)");
+    generate_emitted(source);
 }
 
 static bool include_slot(Flattener *flattener, const char *name, size_t length, const char *path, int line,

@@ -4,7 +4,7 @@
  *   #include <sky>                 a slot: the file that the host chose for that name
  *   #include <scene>               the same, but always the user's own file, never one of the library's
  *   #include <materials>           written here: material_sample(), _pdf() and _value(), a call for each
- * material/ file included so far
+ * material/ file included so far, and material_emitted() where one of them emits
  *
  * A file in a folder named material/ gets a number when it is included, MATERIAL_MATTE for
  * material/matte.glsl. So a new method or material is a new file, and what is not included is not compiled.
@@ -48,6 +48,9 @@ bool glsl_ends_in_comment(const char *line, bool inside);
 
 /* Whether the text defines a function of that name (outside comments). */
 bool glsl_source_defines(const GlslSource *source, const char *function);
+
+/* Whether a material of the text emits: the file material/NAME.glsl defines NAME_emitted(). */
+bool glsl_source_emits(const GlslSource *source);
 
 /* How often the text calls a function of that name (outside comments). */
 int glsl_source_calls(const GlslSource *source, const char *function);

@@ -57,6 +57,8 @@ typedef struct Scene {
     char spheres[256]; /* for hit_spheres(): how many, as a number or a slider's name, or a CSV file; or empty
                         */
     int spheres_line;
+    NamedSphere emitters[MOST_NAMED_SPHERES]; /* about what emits */
+    int emitter_count;
 } Scene;
 
 /* Pictures' limits, as a sentence for errors and the check itself (STATUS_USAGE). */

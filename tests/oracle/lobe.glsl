@@ -1,6 +1,7 @@
 // a: u, v in [0,1)^2; b: a normal. c: a point on the sphere; d: the light method's direction, and its condition.
 #include "scene.glsl"
 #include "sun/off.glsl"
+#include "emission/none.glsl"
 
 void item(vec4 a, vec4 b, OUT(vec4) c, OUT(vec4) d) {
     vec2 u = vec2(a.x, a.y);

@@ -2,6 +2,7 @@
 #include "../inputs.glsl"
 #include "sequence/sobol.glsl"
 #include "sun/off.glsl"
+#include "emission/none.glsl"
 #include "light/cosine.glsl"
 #include "../paper_sky.glsl"
 #include "../crater.glsl"

@@ -2,6 +2,7 @@
 #include "../inputs.glsl"
 #include "sequence/random.glsl"
 #include "sun/off.glsl"
+#include "emission/none.glsl"
 #include "light/paper.glsl"
 #include "../paper_sky.glsl"
 #include "../crater.glsl"

@@ -2,6 +2,7 @@
 #include "../inputs.glsl"
 #include "sequence/random.glsl"
 #include "sun/off.glsl"
+#include "emission/none.glsl"
 #include "light/cosine.glsl"
 #include "pass/sky_uniform.glsl"
 #include "../crater.glsl"
