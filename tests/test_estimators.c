@@ -1,69 +1,14 @@
 /* Every light method and sequence gives the same picture, pixel by pixel, with the sun's disk and without;
  * and so does the disk found by chance. Means alone would not show a branch frozen by pixel or a light
  * counted twice in one place and lost in another. */
+#include "spread.h"
 #include "support.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { SIZE = 64, MOST_VALUES = 3 * 256 * 256, SEEDS = 8 };
-
-/* A picture's mean over the seeds and the variance of that mean, by channel. */
-typedef struct Spread {
-    int values;
-    double mean[MOST_VALUES], variance[MOST_VALUES];
-} Spread;
-
-static void render_seeds(const char *arguments, int size, int first_seed, Spread *spread) {
-    memset(spread, 0, sizeof *spread);
-    spread->values = 3 * size * size;
-    for (int seed = 0; seed < SEEDS; seed++) {
-        Image image;
-        Error error;
-        int status = support_run("", "render scenes/crater.glsl --quiet --size %dx%d %s --seed %d -o '%s'",
-                                 size, size, arguments, first_seed + seed, support_path("picture.pfm"));
-        if (status == STATUS_NO_GL) skip();
-        if (status != 0) fail_msg("render %s: %s", arguments, support_err);
-        if (!image_read(&image, support_path("picture.pfm"), &error)) fail_msg("%s", error.text);
-        for (int i = 0; i < spread->values; i++) {
-            double value = (double)image.rgba[4 * (i / 3) + i % 3];
-            spread->mean[i] += value / SEEDS;
-            spread->variance[i] += value * value / SEEDS;
-        }
-        image_free(&image);
-    }
-    for (int i = 0; i < spread->values; i++)
-        spread->variance[i] = fmax(spread->variance[i] - spread->mean[i] * spread->mean[i], 0) / (SEEDS - 1);
-}
-
-/* What two spreads say of each other. Expected: mean z^2 as Student's t with Welch's degrees of freedom makes
- * it. */
-typedef struct Agreement {
-    double difference, z2, expected, far; /* relative difference of the means; share of |z| > 4 */
-} Agreement;
-
-static Agreement agree(const Spread *a, const Spread *b) {
-    Agreement result = {0};
-    double sums[2] = {0};
-    int counted = 0;
-    for (int i = 0; i < a->values; i++) {
-        double va = a->variance[i], vb = b->variance[i], both = va + vb, difference = b->mean[i] - a->mean[i];
-        sums[0] += a->mean[i];
-        sums[1] += b->mean[i];
-        if (both < 1e-6 * a->mean[i] * a->mean[i]) continue; /* the sky and the disk: no noise to speak of */
-        double freedom = (SEEDS - 1) * both * both / (va * va + vb * vb);
-        result.expected += freedom / (freedom - 2);
-        result.z2 += difference * difference / both;
-        result.far += difference * difference > 16 * both;
-        counted++;
-    }
-    result.difference = sums[1] / sums[0] - 1;
-    result.z2 /= counted;
-    result.expected /= counted;
-    result.far /= counted;
-    return result;
-}
+enum { SIZE = 64 };
 
 /* One place's agreement, added to what is pooled over places. */
 static void compare_at(const char *scene, const char *first, const char *second, const Spread *a,
@@ -71,8 +16,8 @@ static void compare_at(const char *scene, const char *first, const char *second,
     static Spread b;
     char arguments[256];
     snprintf(arguments, sizeof arguments, "%s %s", scene, second);
-    render_seeds(arguments, SIZE, 100, &b);
-    Agreement got = agree(a, &b);
+    spread_render("scenes/crater.glsl", arguments, SIZE, 100, &b);
+    Agreement got = spread_agreement(a, &b);
     print_message("%s: %s against %s: means differ by %+.3f %%, mean z^2 %.3f of %.3f, |z| > 4 in %.2f %%\n",
                   scene, second, first, 100 * got.difference, got.z2, got.expected, 100 * got.far);
     assert_true(fabs(got.difference) < 3e-3 && got.far < 0.01);
@@ -104,7 +49,7 @@ static void test_sky(void **state) {
         char scene[128], arguments[256];
         snprintf(scene, sizeof scene, "--spp 512 --sun %s", suns[s]);
         snprintf(arguments, sizeof arguments, "%s %s", scene, plain);
-        render_seeds(arguments, SIZE, 0, &first);
+        spread_render("scenes/crater.glsl", arguments, SIZE, 0, &first);
         for (int k = 0; k < 5; k++) compare_at(scene, plain, others[k], &first, &pools[k]);
     }
     for (int k = 0; k < 5; k++) expect_agreement(others[k], &pools[k], 4);
@@ -121,7 +66,7 @@ static void test_disk(void **state) {
         char scene[128], arguments[256];
         snprintf(scene, sizeof scene, "--spp 512 --sun-disk --sun %s", suns[s]);
         snprintf(arguments, sizeof arguments, "%s %s", scene, plain);
-        render_seeds(arguments, SIZE, 0, &first);
+        spread_render("scenes/crater.glsl", arguments, SIZE, 0, &first);
         for (int k = 0; k < 2; k++) compare_at(scene, plain, others[k], &first, &pools[k]);
     }
     for (int k = 0; k < 2; k++) expect_agreement(others[k], &pools[k], 4);
@@ -142,22 +87,10 @@ static void test_chance(void **state) {
         char scene[128], arguments[256];
         snprintf(scene, sizeof scene, "--spp 1024 --set sun.radius=25 --sun %s", places[s]);
         snprintf(arguments, sizeof arguments, "%s %s", scene, chance);
-        render_seeds(arguments, SIZE, 0, &first);
+        spread_render("scenes/crater.glsl", arguments, SIZE, 0, &first);
         compare_at(scene, chance, others[s % 2], &first, &pool);
     }
     expect_agreement("chance", &pool, 3);
-}
-
-/* Whether a pixel is off all edges: the picture is nearly even two pixels around it. */
-static bool even_around(const Image *image, int x, int y) {
-    double least = 1e30, most = 0;
-    for (int i = 0; i < 25; i++) {
-        const float *p = image->rgba + 4 * ((y + i / 5 - 2) * image->width + x + i % 5 - 2);
-        double level = (double)p[0] + (double)p[1] + (double)p[2];
-        least = fmin(least, level);
-        most = fmax(most, level);
-    }
-    return most < 1.25 * least;
 }
 
 /* Another renderer's crater, pixel by pixel: off edges, 99 % of the ground's values are within four standard
@@ -176,7 +109,7 @@ static void test_another_renderer(void **state) {
         double mean = 0;
         int counted = 0, far = 0;
         snprintf(arguments, sizeof arguments, "%s --spp 256 --depth 8", cases[k][0]);
-        render_seeds(arguments, 256, 0, &ours);
+        spread_render("scenes/crater.glsl", arguments, 256, 0, &ours);
         for (int i = 0; i < 2; i++)
             snprintf(path[i], sizeof path[i], "tests/data/%s%s.exr", cases[k][1], i ? "_se" : "");
         if (!image_read(&reference, path[0], &error) || !image_read(&se, path[1], &error))
@@ -186,7 +119,7 @@ static void test_another_renderer(void **state) {
         for (int i = 0; i < ours.values; i++) {
             int x = i / 3 % 256, y = i / 3 / 256, at = 4 * (i / 3) + i % 3;
             /* Farther rows are all edges, and the sky's are a bitmap there. */
-            if (y < 100 || y > 253 || x < 2 || x > 253 || !even_around(&reference, x, y)) continue;
+            if (y < 100 || y > 253 || x < 2 || x > 253 || !spread_even_around(&reference, x, y)) continue;
             double own = (double)se.rgba[at], difference = ours.mean[i] - (double)reference.rgba[at];
             far += difference * difference > 16 * (own * own + ours.variance[i] + pow(2e-4 * mean, 2));
             counted++;
