@@ -13,6 +13,7 @@ ORACLE_CASE(crater_cosine);
 ORACLE_CASE(crater_paper);
 ORACLE_CASE(crater_uniform);
 ORACLE_CASE(distance);
+ORACLE_CASE(emission);
 ORACLE_CASE(gauss);
 ORACLE_CASE(lobe_cosine);
 ORACLE_CASE(lobe_paper);
@@ -317,6 +318,28 @@ static void test_material(void **state) {
     context_close(&context);
 }
 
+/* Directions toward named spheres. Which one is drawn is a jump, and so is a sphere at the horizon. */
+static void test_emission(void **state) {
+    static const OracleQuantity quantities[] = {
+        {"direction x", .result = 0, .condition = 4, .floor = 1, .rms = 1e-6, .worst = 1e-5, .jump = 1e-2,
+         .most_set_aside = 0.02},
+        {"direction y", .result = 1, .condition = 4, .floor = 1, .rms = 1e-6, .worst = 1e-5, .jump = 1e-2,
+         .most_set_aside = 0.02},
+        {"density", .result = 3, .condition = 4, .floor = 1e-2, .rms = 3e-6, .worst = 1e-4, .jump = 1e-2,
+         .most_set_aside = 0.02},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *a = inputs + 8 * i, *at = a + 4;
+        for (int c = 0; c < 2; c++) a[c] = (float)random_unit();
+        a[2] = (float)(2 * random_unit() - 1);
+        a[3] = (float)(2 * pi * random_unit());
+        for (int c = 0; c < 3; c++) at[c] = (float)((i % 2 ? 3 : 30) * (2 * random_unit() - 1));
+    }
+    oracle_compare(&context, ORACLE(emission), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
 /* Alhazen's point, at the sphere and far from it. */
 static void test_mirror_sphere(void **state) {
     static const OracleQuantity quantities[] = {
@@ -516,7 +539,7 @@ int main(void) {
         cmocka_unit_test(test_march),     cmocka_unit_test(test_distance),
         cmocka_unit_test(test_lobes),     cmocka_unit_test(test_mirror_sphere),
         cmocka_unit_test(test_sequences), cmocka_unit_test(test_checker),
-        cmocka_unit_test(test_material),  cmocka_unit_test(test_spheres),
+        cmocka_unit_test(test_material),  cmocka_unit_test(test_spheres), cmocka_unit_test(test_emission),
         cmocka_unit_test(test_paths),
     };
     return cmocka_run_group_tests_name("oracle", tests, support_folder, support_clean);

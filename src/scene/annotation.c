@@ -314,14 +314,22 @@ static const struct {
     const char *key;
     bool (*read)(Line *line, Error *error);
 } annotations[] = {
-    {"title", read_title},       {"look", read_look},
-    {"camera", read_camera},     {"sun", read_sun},
-    {"size", read_size},         {"exposure", read_exposure},
-    {"sky", read_sky},           {"atmosphere", read_atmosphere},
-    {"preset", read_preset},     {"bound", read_bound},
-    {"sun-disk", read_sun_disk}, {"mirror-sphere", read_mirror_sphere},
-    {"slider", read_slider},     {"checkbox", read_checkbox},
-    {"color", read_color},       {"spheres", read_many_spheres},
+    {"title", read_title},
+    {"look", read_look},
+    {"camera", read_camera},
+    {"sun", read_sun},
+    {"size", read_size},
+    {"exposure", read_exposure},
+    {"sky", read_sky},
+    {"atmosphere", read_atmosphere},
+    {"preset", read_preset},
+    {"bound", read_bound},
+    {"sun-disk", read_sun_disk},
+    {"mirror-sphere", read_mirror_sphere},
+    {"slider", read_slider},
+    {"checkbox", read_checkbox},
+    {"color", read_color},
+    {"spheres", read_many_spheres},
     {"emitter-sphere", read_emitter_sphere},
 };
 enum { ANNOTATIONS = sizeof annotations / sizeof *annotations };

@@ -104,8 +104,9 @@ static void generate_emitted(GlslSource *source) {
     Text calls = {0};
     for (int i = 0; i < source->material_count; i++) {
         if (emits(source, i))
-            text_print(&calls, "    if (material.kind == %d) return %s_emitted(material, normal, incoming);\n",
-                       i, source->materials[i]);
+            text_print(&calls,
+                       "    if (material.kind == %d) return %s_emitted(material, normal, incoming);\n", i,
+                       source->materials[i]);
     }
     if (calls.size) {
         text_print(&source->text,
