@@ -1,11 +1,12 @@
 //@ title   The author's room
-//@ look    "two lamps beside the camera against the sky above the walls; the hollow in the back wall that mirrors half of what it gets"
+//@ look    "the hollow of the back wall, which mirrors half of what it gets: the balls, the sky, and two lamps from beside the camera"
 //@ camera  eye 0 2 -4  target 0 0 0  fov 90
 //@ sun     elevation 60  azimuth 160
 //@ size    512 512
 //@ exposure -2
 //@ emitter-sphere  -3 3 -3  1
 //@ emitter-sphere   3 3 -3  1
+//@ mirror-sphere  1.5 0 0  0.5
 //@ preset  noon      sun.elevation 60
 //@ preset  sunset    sun.elevation 5
 //@ preset  twilight  sun.elevation -2
