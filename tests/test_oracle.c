@@ -539,8 +539,8 @@ int main(void) {
         cmocka_unit_test(test_march),     cmocka_unit_test(test_distance),
         cmocka_unit_test(test_lobes),     cmocka_unit_test(test_mirror_sphere),
         cmocka_unit_test(test_sequences), cmocka_unit_test(test_checker),
-        cmocka_unit_test(test_material),  cmocka_unit_test(test_spheres), cmocka_unit_test(test_emission),
-        cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_material),  cmocka_unit_test(test_spheres),
+        cmocka_unit_test(test_emission),  cmocka_unit_test(test_paths),
     };
     return cmocka_run_group_tests_name("oracle", tests, support_folder, support_clean);
 }
