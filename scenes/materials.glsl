@@ -11,6 +11,7 @@
 //@ mirror-sphere  2.4 0.7 0.9  0.7
 //@ preset  noon    sun.elevation 60
 //@ preset  sunset  sun.elevation 5  exposure 0.5
+//@ preset  twilight  sun.elevation -2  exposure 4
 
 // Balls of glass, gold, copper, aluminium and mirror on sand.
 #include "color/noise.glsl"
