@@ -30,7 +30,7 @@ SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$
 CASES := $(patsubst %.glsl,$(BUILD)/%,$(wildcard tests/oracle/cases/*.glsl))
 ORACLE := $(BUILD)/tests/oracle/oracle.o $(CASES:%=%_float.o) $(CASES:%=%_double.o)
 
-.PHONY: all demo gallery atlas honesty test check lint format deps clean install FORCE
+.PHONY: all demo gallery atlas honesty sheets test check lint format deps clean install FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
@@ -93,6 +93,12 @@ atlas:
 # Whether --error keeps its word, over 48 pictures: half an hour.
 honesty: all
 	tools/honesty.sh $(BUILD)/magichour out/honesty
+
+# Contact sheets of the scenes, the shapes and the materials.
+sheets:
+	tools/deps.sh build atlas
+	$(MAKE) all
+	tools/sheets.sh $(BUILD)/magichour out/sheets scenes/gallery
 
 test:
 	tools/deps.sh build test

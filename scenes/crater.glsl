@@ -9,6 +9,7 @@
 //@ preset  afternoon      sun.elevation 30
 //@ preset  sunset         sun.elevation 5   exposure 0.5
 //@ preset  early-evening  sun.elevation -2  exposure 4
+//@ preset  twilight       sun.elevation -2  exposure 4
 
 // The paper's scene: a checkered plane with a crater, and a mirror ball that floats in it. The author's floor is white
 // and black; these albedos let other renderers draw the same.

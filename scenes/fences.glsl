@@ -3,10 +3,12 @@
 //@ camera  eye 0.5 0.85 -2.6  target 0.1 0.72 1  fov 50
 //@ sun     elevation 20  azimuth 80
 //@ size    640 480
+//@ bound   1.5 0.6 1.5  0.7
+//@ bound   -1 0.6 1.5  0.7
 //@ preset  noon      sun.elevation 60
 //@ preset  sunset    sun.elevation 5   exposure 0.5
 //@ preset  twilight  sun.elevation -2  exposure 4
-//@ preset  along     camera.eye 1.46,1.13,-8  camera.target 1.5,0.95,0  camera.fov 30
+//@ preset  along     camera.eye 1.2,0.97,1.2  camera.target -3,0.8,1.55  camera.fov 40
 
 // Post and rail goes away from the camera, post and wire across.
 #include "color/noise.glsl"

@@ -29,7 +29,7 @@ const float THICK = 0.1; // half of the walls' thickness, m
 // The room is 4.4 m by 6 m and 2.6 m high; the window is in the wall at -x, from 0.9 m to 2.1 m.
 void scene_intersect(Ray ray, INOUT(Hit) hit) {
     hit_plane(ray, vec3(0.0, 1.0, 0.0), -0.3, GROUND, hit);
-    hit_box(ray, vec3(0.0, -0.1, 0.0), vec3(2.4, THICK, 3.2), WALL, hit);
+    hit_box(ray, vec3(0.0, -0.2, 0.0), vec3(2.4, 0.2, 3.2), WALL, hit);
     hit_box(ray, vec3(0.0, 2.7, 0.0), vec3(2.6, THICK, 3.4), WALL, hit);
     hit_box(ray, vec3(2.3, 1.3, 0.0), vec3(THICK, 1.4, 3.2), WALL, hit);
     hit_box(ray, vec3(0.0, 1.3, 3.1), vec3(2.4, 1.4, THICK), WALL, hit);

@@ -3,6 +3,9 @@
 //@ camera  eye 0.7 1.3 -1.35  target -0.15 0.8 1.6  fov 60
 //@ sun     elevation 40  azimuth 100
 //@ size    512 512
+//@ bound   0 0.9 -1.6  1.4
+//@ bound   0 0.9 1.6  1.4
+//@ bound   0 0.6 0  0.6
 //@ preset  noon      sun.elevation 60
 //@ preset  sunset    sun.elevation 5   exposure 0.5
 //@ preset  twilight  sun.elevation -2  exposure 4

@@ -17,6 +17,7 @@
 #include "distance/cylinder.glsl"
 #include "distance/disk.glsl"
 #include "distance/ellipsoid.glsl"
+#include "distance/offset.glsl"
 #include "distance/rounded_box.glsl"
 #include "distance/sphere.glsl"
 #include "distance/torus.glsl"
@@ -40,13 +41,14 @@ uniform float flat_m;  //@ slider 0.3  min 0.1  max 0.6  unit m  label "half of 
 const vec3 TILT = vec3(0.0, 0.8, -0.6);
 const int GROUND = 0;
 const int SHAPE = 1;
+const int DISK = 2; // the one with two sides and no inside
 
 float scene_distance(vec3 p) {
     float d = distance_cone(p, vec3(2.6, 0.0, 1.0), vec3(2.6, 1.1, 1.0), 0.5);
     d = min(d, distance_cylinder(p, vec3(1.3, 0.0, 1.0), vec3(1.3, 1.0, 1.0), 0.45));
     d = min(d, distance_capsule(p, vec3(0.0, 0.3, 1.0), vec3(0.0, 0.9, 1.0), 0.3));
     d = min(d, distance_torus(p, vec3(-1.3, 0.5, 1.0), TILT, 0.4, 0.15));
-    d = min(d, distance_disk(p, vec3(-2.6, 0.5, 1.0), TILT, 0.5));
+    d = min(d, op_round(distance_disk(p, vec3(-2.6, 0.5, 1.0), TILT, 0.5), 0.002)); // a disk has no inside
     d = min(d, distance_sphere(p, vec3(2.0, 0.5, -1.0), 0.5));
     d = min(d, distance_box(p, vec3(0.7, 0.45, -1.0), vec3(0.45)));
     d = min(d, distance_rounded_box(p, vec3(-0.7, 0.45, -1.0), vec3(0.45), corners));
@@ -58,7 +60,7 @@ void hit_shapes(Ray ray, INOUT(Hit) hit) {
     hit_cylinder(ray, vec3(1.3, 0.0, 1.0), vec3(1.3, 1.0, 1.0), 0.45, SHAPE, hit);
     hit_capsule(ray, vec3(0.0, 0.3, 1.0), vec3(0.0, 0.9, 1.0), 0.3, SHAPE, hit);
     hit_torus(ray, vec3(-1.3, 0.5, 1.0), TILT, 0.4, 0.15, SHAPE, hit);
-    hit_disk(ray, vec3(-2.6, 0.5, 1.0), TILT, 0.5, SHAPE, hit);
+    hit_disk(ray, vec3(-2.6, 0.5, 1.0), TILT, 0.5, DISK, hit);
     hit_sphere(ray, vec3(2.0, 0.5, -1.0), 0.5, SHAPE, hit);
     hit_box(ray, vec3(0.7, 0.45, -1.0), vec3(0.45), SHAPE, hit);
     hit_rounded_box(ray, vec3(-0.7, 0.45, -1.0), vec3(0.45), corners, SHAPE, hit);

@@ -47,7 +47,7 @@ static void test_usage(void **state) {
     support_expect(2, "takes no numbers", "render scenes/crater.glsl --light cosine:3 -o '%s'", out);
     support_expect(2, "unknown backend 'vulkan' (known: auto, egl, osmesa, glfw)",
                    "render scenes/crater.glsl --backend vulkan -o '%s'", out);
-    support_expect(2, "no preset 'dawn' (known: noon, afternoon, sunset, early-evening)",
+    support_expect(2, "no preset 'dawn' (known: noon, afternoon, sunset, early-evening, twilight)",
                    "render scenes/crater.glsl --preset dawn -o '%s'", out);
     support_expect(2, "unknown atmosphere 'mars' (known: simmons2017, simmons2017-author, earth)",
                    "render scenes/crater.glsl --atmosphere mars -o '%s'", out);

@@ -1,0 +1,270 @@
+/* All scenes that are shipped: what each has to tell, every light method on each, no leaks, and the default
+ * estimator against the plainest one. */
+#include "support.h"
+
+#include "base/file.h"
+#include "render/renderer.h"
+
+#include <dirent.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_SCENES = 64, WIDTH = 48, HEIGHT = 36, SAMPLES = 512 };
+
+static char paths[MOST_SCENES][288];
+static int scenes;
+
+static int is_scene(const struct dirent *entry) {
+    const char *end = strrchr(entry->d_name, '.');
+    return end && strcmp(end, ".glsl") == 0;
+}
+
+static int find_scenes(void **state) {
+    struct dirent **entries;
+    int count = scandir("scenes", &entries, is_scene, alphasort);
+    for (int i = 0; i < count; i++) {
+        if (scenes < MOST_SCENES)
+            snprintf(paths[scenes++], sizeof paths[0], "scenes/%s", entries[i]->d_name);
+        free(entries[i]);
+    }
+    if (count >= 0) free(entries);
+    return count > 0 && count <= MOST_SCENES ? support_folder(state) : -1;
+}
+
+static bool is(const char *path, const char *name) {
+    const char *file = strrchr(path, '/') + 1;
+    return strncmp(file, name, strlen(name)) == 0 && strcmp(file + strlen(name), ".glsl") == 0;
+}
+
+/* Renders a scene file to an image; its run's words are left in support_err. */
+static Image render(const char *path, const char *arguments) {
+    Image image;
+    Error error;
+    int status = support_run("", "render '%s' %s --progress json -o '%s'", path, arguments,
+                             support_path("picture.pfm"));
+    if (status == STATUS_NO_GL) skip();
+    if (status != 0) fail_msg("%s %s: %s", path, arguments, support_err);
+    if (!image_read(&image, support_path("picture.pfm"), &error)) fail_msg("%s", error.text);
+    return image;
+}
+
+/* ---- What each scene has to tell */
+
+static void expect_sun(const Scene *scene, const char *preset, double elevation) {
+    Scene trial = *scene;
+    Error error;
+    if (!scene_choose_preset(&trial, preset, &error)) fail_msg("%s", error.text);
+    if (trial.sun_elevation_deg != elevation)
+        fail_msg("%s: preset %s: sun at %g", scene->path, preset, trial.sun_elevation_deg);
+}
+
+/* A title, what to look for, labels, and the three suns where the sky is the sun's. */
+static void test_words(void **state) {
+    (void)state;
+    for (int i = 0; i < scenes; i++) {
+        Scene scene;
+        Error error;
+        if (!scene_read(&scene, paths[i], &error)) fail_msg("%s", error.text);
+        if (!scene.title[0] || !scene.look[0]) fail_msg("%s: no title or nothing to look for", paths[i]);
+        for (int k = 0; k < scene.parameter_count; k++) {
+            if (!scene.parameters[k].label[0])
+                fail_msg("%s: %s has no label", paths[i], scene.parameters[k].name);
+        }
+        if (!scene.sky[0]) {
+            expect_sun(&scene, "noon", 60);
+            expect_sun(&scene, "sunset", 5);
+            expect_sun(&scene, "twilight", -2);
+        }
+        scene_destroy(&scene);
+    }
+}
+
+/* ---- Every light method on each */
+
+/* A number of the last run's report; 0 where it has none of that name. */
+static double reported(const char *name) {
+    const char *at = strstr(support_err, "\"done\": true");
+    at = at ? strstr(at, name) : NULL;
+    return at ? strtod(at + strlen(name) + 2, NULL) : 0;
+}
+
+static void test_lights(void **state) {
+    (void)state;
+    for (int i = 0; i < scenes; i++) {
+        double rays = 0, broken = 0, cut = 0, rejected = 0;
+        for (int k = 0; method_get(k); k++) {
+            char arguments[128];
+            if (method_get(k)->family != METHOD_LIGHT) continue;
+            /* A table, without which control is no choice. */
+            snprintf(arguments, sizeof arguments, "--size 32x32 --spp 2 --sun 5 --sky table --light %s",
+                     method_get(k)->name);
+            Image image = render(paths[i], arguments);
+            image_free(&image);
+            rays += reported("search_rays");
+            broken += reported("search_broken");
+            cut += reported("search_cut");
+            rejected += reported("rejected");
+        }
+        if (rejected > 0 || broken > 0 || cut > 1e-4 * rays)
+            fail_msg("%s: %g samples rejected; of %g searches %g broken, %g cut", paths[i], rejected, rays,
+                     broken, cut);
+    }
+}
+
+/* ---- No leaks */
+
+/* A scene file with lines before and after it. Its own functions may have been renamed by the first. */
+static const char *wrapped(const char *path, const char *before, const char *after) {
+    Text text = {0}, file = {0};
+    Error error;
+    if (!file_read(path, STATUS_FAILURE, &file, &error)) fail_msg("%s", error.text);
+    text_append(&file, "", 0);
+    text_print(&text, "%s%s\n%s", before, text_string(&file), after);
+    const char *copy = support_write("wrapped.glsl", text_string(&text));
+    text_free(&file);
+    text_free(&text);
+    return copy;
+}
+
+/* Off by no more than four of the mean's standard errors, as the pixels scatter, and by so little in each pixel
+ * that none can be looking through a hole. */
+static void expect_white(const char *path, const Image *image) {
+    double mean = 0, square = 0, worst = 0;
+    int pixels = image->width * image->height;
+    for (int k = 0; k < pixels; k++) {
+        double off = (double)image->rgba[4 * k] - 1;
+        mean += off / pixels;
+        square += off * off / pixels;
+        worst = fmax(worst, fabs(off));
+    }
+    double error = sqrt(square / pixels);
+    print_message("%s: mean off by %.1e, its standard error %.1e, worst pixel %.3f\n", path, mean, error, worst);
+    assert_true(fabs(mean) < 4 * error + 1e-6 && fabs(mean) < 1e-3 && worst < 0.3);
+}
+
+/* The scene white all over, and black where a ray meets a surface from within a solid, which no ray can that
+ * starts outside of all. Under a sky of 1 every pixel is 1 but for what roulette does to long paths: a survivor
+ * of n hits counts 0.95^-(n - 3). Lost are paths that leak, end in a solid, or have no direction to go on. */
+static void test_furnace(void **state) {
+    (void)state;
+    static const char before[] = "#define scene_material scene_own_material\n";
+    static const char after[] = "#undef scene_material\n#include \"material/matte.glsl\"\n"
+                                "Material scene_material(Hit hit) {\n"
+                                "    bool leaked = hit.inside && !two_sided(hit);\n"
+                                "    return matte(vec3(leaked ? 0.0 : 1.0));\n}\n";
+    for (int i = 0; i < scenes; i++) {
+        Text end = {0};
+        text_print(&end, "bool two_sided(Hit hit) { return %s; }\n%s",
+                   is(paths[i], "shapes") ? "hit.object == DISK" : "false", after);
+        /* The house is white from outside: within, so few paths find the window that roulette's noise has no
+         * end. */
+        const char *scene = wrapped(paths[i], before, text_string(&end));
+        const char *view = is(paths[i], "house") ? "--set camera.eye=7,2,-5 --set camera.fov=40" : "";
+        char arguments[256];
+        snprintf(arguments, sizeof arguments,
+                 "--size 64x48 --spp 128 --sky uniform --light cosine --sun-disk=off %s", view);
+        Image image = render(scene, arguments);
+        expect_white(paths[i], &image);
+        text_free(&end);
+        image_free(&image);
+    }
+}
+
+/* A house with its window bricked up is dark: walls that run into each other leave no seam for a ray. */
+static void test_closed_house(void **state) {
+    (void)state;
+    const char *scene = wrapped("scenes/house.glsl", "#define scene_intersect scene_own_intersect\n",
+                                "#undef scene_intersect\n"
+                                "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
+                                "    scene_own_intersect(ray, hit);\n"
+                                "    hit_box(ray, vec3(-2.3, 1.5, 0.0), vec3(0.1, 0.7, 1.5), WALL, hit);\n}\n");
+    Image image = render(scene, "--size 64x48 --spp 256 --sky uniform --light cosine");
+    for (int k = 0; k < 64 * 48; k++) assert_true(image.rgba[4 * k] == 0);
+    image_free(&image);
+}
+
+/* ---- The default estimator against the plainest */
+
+/* A picture and its variance, by Lambert's cosine and independent numbers or as auto chooses, sky only. */
+typedef struct Estimate {
+    Image mean;
+    float *variance;
+} Estimate;
+
+static Estimate estimate(const Context *context, const char *path, bool plain) {
+    Scene scene;
+    Renderer renderer;
+    FilmCount count;
+    Error error;
+    Estimate result = {.variance = calloc(3 * WIDTH * HEIGHT, sizeof(float))};
+    assert_non_null(result.variance);
+    if (!scene_read(&scene, path, &error)) fail_msg("%s", error.text);
+    RenderParams params = {.scene = &scene,
+                           .library = "glsl",
+                           .light = plain ? "cosine" : NULL,
+                           .sequence = plain ? "random" : NULL,
+                           .sun_disk = "off",
+                           .width = WIDTH,
+                           .height = HEIGHT,
+                           .seed = plain,
+                           .variance = true};
+    if (!renderer_create(&renderer, context, &params, &error)) fail_msg("%s", error.text);
+    while (renderer.film.samples < SAMPLES) {
+        if (!renderer_pass(&renderer, SAMPLES - renderer.film.samples, NULL, &error))
+            fail_msg("%s", error.text);
+    }
+    if (!film_read(&renderer.film, &result.mean, &count, &error) ||
+        !film_read_variance(&renderer.film, result.variance, &error)) {
+        fail_msg("%s", error.text);
+    }
+    renderer_destroy(&renderer);
+    scene_destroy(&scene);
+    return result;
+}
+
+static void free_estimate(Estimate *result) {
+    image_free(&result->mean);
+    free(result->variance);
+}
+
+static void test_estimators(void **state) {
+    (void)state;
+    Context context;
+    support_open(&context);
+    for (int i = 0; i < scenes; i++) {
+        Estimate plain = estimate(&context, paths[i], true), usual = estimate(&context, paths[i], false);
+        double z2 = 0, difference = 0, sum = 0, variance = 0;
+        int counted = 0, far = 0;
+        for (int k = 0; k < 3 * WIDTH * HEIGHT; k++) {
+            double a = (double)plain.mean.rgba[4 * (k / 3) + k % 3];
+            double b = (double)usual.mean.rgba[4 * (k / 3) + k % 3];
+            double both = (double)plain.variance[k] + (double)usual.variance[k];
+            sum += a;
+            difference += b - a;
+            variance += both;
+            if (both < 1e-8 * a * a) continue; /* the sky: no noise to speak of */
+            z2 += (b - a) * (b - a) / both;
+            far += (b - a) * (b - a) > 16 * both;
+            counted++;
+        }
+        print_message("%s: means differ by %+.3f %% (z %.1f), mean z^2 %.3f, |z| > 4 in %.2f %% of %d\n", paths[i],
+                      100 * difference / sum, difference / sqrt(variance), z2 / counted, 100.0 * far / counted,
+                      counted);
+        free_estimate(&plain);
+        free_estimate(&usual);
+    }
+    context_close(&context);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_words),
+        cmocka_unit_test(test_lights),
+        cmocka_unit_test(test_furnace),
+        cmocka_unit_test(test_closed_house),
+        cmocka_unit_test(test_estimators),
+    };
+    return cmocka_run_group_tests_name("scenes", tests, find_scenes, support_clean);
+}
