@@ -25,8 +25,7 @@ static int find_scenes(void **state) {
     struct dirent **entries;
     int count = scandir("scenes", &entries, is_scene, alphasort);
     for (int i = 0; i < count; i++) {
-        if (scenes < MOST_SCENES)
-            snprintf(paths[scenes++], sizeof paths[0], "scenes/%s", entries[i]->d_name);
+        if (scenes < MOST_SCENES) snprintf(paths[scenes++], sizeof paths[0], "scenes/%s", entries[i]->d_name);
         free(entries[i]);
     }
     if (count >= 0) free(entries);
@@ -128,9 +127,9 @@ static const char *wrapped(const char *path, const char *before, const char *aft
     return copy;
 }
 
-/* Off by no more than four of the mean's standard errors, as the pixels scatter, and by so little in each pixel
- * that none can be looking through a hole. */
-static void expect_white(const char *path, const Image *image) {
+/* The mean is within four of its standard errors, as the pixels scatter, less what `edges` may lose; and no
+ * pixel is off by so much that it could be looking through a hole. */
+static void expect_white(const char *path, const Image *image, double edges) {
     double mean = 0, square = 0, worst = 0;
     int pixels = image->width * image->height;
     for (int k = 0; k < pixels; k++) {
@@ -140,13 +139,15 @@ static void expect_white(const char *path, const Image *image) {
         worst = fmax(worst, fabs(off));
     }
     double error = sqrt(square / pixels);
-    print_message("%s: mean off by %.1e, its standard error %.1e, worst pixel %.3f\n", path, mean, error, worst);
-    assert_true(fabs(mean) < 4 * error + 1e-6 && fabs(mean) < 1e-3 && worst < 0.3);
+    print_message("%s: mean off by %.1e, its standard error %.1e, worst pixel %.3f\n", path, mean, error,
+                  worst);
+    assert_true(mean < 4 * error + 1e-6 && mean > -4 * error - edges && worst < 0.3);
 }
 
 /* The scene white all over, and black where a ray meets a surface from within a solid, which no ray can that
- * starts outside of all. Under a sky of 1 every pixel is 1 but for what roulette does to long paths: a survivor
- * of n hits counts 0.95^-(n - 3). Lost are paths that leak, end in a solid, or have no direction to go on. */
+ * starts outside of all. Under a sky of 1 every pixel is 1 but for what roulette does to long paths: a
+ * survivor of n hits counts 0.95^-(n - 3). Lost are paths that leak, end in a solid, or have no direction to
+ * go on. */
 static void test_furnace(void **state) {
     (void)state;
     static const char before[] = "#define scene_material scene_own_material\n";
@@ -166,7 +167,9 @@ static void test_furnace(void **state) {
         snprintf(arguments, sizeof arguments,
                  "--size 64x48 --spp 128 --sky uniform --light cosine --sun-disk=off %s", view);
         Image image = render(scene, arguments);
-        expect_white(paths[i], &image);
+        /* At a marched edge the normal is one of a rounded edge, and a grazing ray may bounce into the solid:
+         * 7e-4 of the paths among the arches, 3e-4 or less elsewhere. */
+        expect_white(paths[i], &image, reported("search_rays") > 0 ? 1e-3 : 1e-6);
         text_free(&end);
         image_free(&image);
     }
@@ -175,14 +178,59 @@ static void test_furnace(void **state) {
 /* A house with its window bricked up is dark: walls that run into each other leave no seam for a ray. */
 static void test_closed_house(void **state) {
     (void)state;
-    const char *scene = wrapped("scenes/house.glsl", "#define scene_intersect scene_own_intersect\n",
-                                "#undef scene_intersect\n"
-                                "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
-                                "    scene_own_intersect(ray, hit);\n"
-                                "    hit_box(ray, vec3(-2.3, 1.5, 0.0), vec3(0.1, 0.7, 1.5), WALL, hit);\n}\n");
+    const char *scene =
+        wrapped("scenes/house.glsl", "#define scene_intersect scene_own_intersect\n",
+                "#undef scene_intersect\n"
+                "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
+                "    scene_own_intersect(ray, hit);\n"
+                "    hit_box(ray, vec3(-2.3, 1.5, 0.0), vec3(0.1, 0.7, 1.5), WALL, hit);\n}\n");
     Image image = render(scene, "--size 64x48 --spp 256 --sky uniform --light cosine");
     for (int k = 0; k < 64 * 48; k++) assert_true(image.rgba[4 * k] == 0);
     image_free(&image);
+}
+
+/* ---- Marched and exact */
+
+/* A ball marched and the same ball hit exactly give the same picture: the same paths, until one of them
+ * passes an edge on the other side. Off edges, pixels agree to 1e-4; and so do the means. */
+static void test_marched_ball(void **state) {
+    (void)state;
+    const char *scene = support_write(
+        "ball.glsl",
+        "//@ camera eye 0 1.5 -4 target 0 0.8 0 fov 50\n"
+        "#include \"color/checker.glsl\"\n#include \"distance/sphere.glsl\"\n"
+        "#include \"material/matte.glsl\"\n#include \"shape/march.glsl\"\n"
+        "#include \"shape/plane.glsl\"\n#include \"shape/sphere.glsl\"\n"
+        "uniform bool marched; //@ checkbox off\n"
+        "float scene_distance(vec3 p) { return distance_sphere(p, vec3(0.0, 1.0, 0.0), 1.0); }\n"
+        "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
+        "    hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit);\n"
+        "    if (marched) march(ray, vec3(0.0, 1.0, 0.0), 1.0, 1, hit);\n"
+        "    else hit_sphere(ray, vec3(0.0, 1.0, 0.0), 1.0, 1, hit);\n}\n"
+        "Material scene_material(Hit hit) { return matte(hit.object == 1 ? vec3(0.8, 0.3, 0.2) : "
+        "checker(hit.position, vec3(0.7), vec3(0.3))); }\n");
+    char same[128] = "--size 96x72 --spp 64 --sequence random --light cosine --sun 30 --set marched=";
+    double seconds[2], light = 0, difference = 0;
+    Image images[2];
+    for (int k = 0; k < 2; k++) {
+        same[strlen(same) - (k ? 1 : 0)] = 0;
+        strcat(same, k ? "1" : "0");
+        images[k] = render(scene, same);
+        seconds[k] = reported("seconds");
+    }
+    int values = 3 * 96 * 72, near = 0;
+    for (int i = 0; i < values; i++) {
+        double exact = (double)images[0].rgba[4 * (i / 3) + i % 3];
+        double marched = (double)images[1].rgba[4 * (i / 3) + i % 3];
+        light += exact / values;
+        difference += (marched - exact) / values;
+        near += fabs(marched - exact) < 1e-4 * exact;
+    }
+    print_message("a ball, marched: %.2f %% of the values within 1e-4, means differ by %.1e, %.2f times the "
+                  "time\n",
+                  100.0 * near / values, difference / light, seconds[1] / seconds[0]);
+    assert_true(near > 0.9 * values && fabs(difference) < 1e-4 * light);
+    for (int k = 0; k < 2; k++) image_free(&images[k]);
 }
 
 /* ---- The default estimator against the plainest */
@@ -229,6 +277,9 @@ static void free_estimate(Estimate *result) {
     free(result->variance);
 }
 
+/* Pixel by pixel within the noise, and the means within theirs. The default's variance is taken for that of
+ * independent numbers, which is too much for Sobol's, so that z^2 may be less than 1; where a rare bright
+ * path is the noise it may be more. */
 static void test_estimators(void **state) {
     (void)state;
     Context context;
@@ -241,17 +292,21 @@ static void test_estimators(void **state) {
             double a = (double)plain.mean.rgba[4 * (k / 3) + k % 3];
             double b = (double)usual.mean.rgba[4 * (k / 3) + k % 3];
             double both = (double)plain.variance[k] + (double)usual.variance[k];
-            sum += a;
-            difference += b - a;
-            variance += both;
-            if (both < 1e-8 * a * a) continue; /* the sky: no noise to speak of */
+            if (k % 3 == 1) { /* green: the three have the same paths */
+                sum += a;
+                difference += b - a;
+                variance += both;
+            }
+            if (both < 1e-8 * a * a) continue; /* no noise to speak of */
             z2 += (b - a) * (b - a) / both;
             far += (b - a) * (b - a) > 16 * both;
             counted++;
         }
-        print_message("%s: means differ by %+.3f %% (z %.1f), mean z^2 %.3f, |z| > 4 in %.2f %% of %d\n", paths[i],
-                      100 * difference / sum, difference / sqrt(variance), z2 / counted, 100.0 * far / counted,
-                      counted);
+        print_message("%s: means differ by %+.3f %% (z %.1f), mean z^2 %.3f, |z| > 4 in %.2f %% of %d\n",
+                      paths[i], 100 * difference / sum, difference / sqrt(variance), z2 / counted,
+                      100.0 * far / counted, counted);
+        assert_true(fabs(difference) < 4.5 * sqrt(variance));
+        assert_true(z2 < 1.25 * counted && z2 > 0.4 * counted && far < 0.01 * counted);
         free_estimate(&plain);
         free_estimate(&usual);
     }
@@ -260,11 +315,9 @@ static void test_estimators(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_words),
-        cmocka_unit_test(test_lights),
-        cmocka_unit_test(test_furnace),
-        cmocka_unit_test(test_closed_house),
-        cmocka_unit_test(test_estimators),
+        cmocka_unit_test(test_words),        cmocka_unit_test(test_lights),
+        cmocka_unit_test(test_furnace),      cmocka_unit_test(test_closed_house),
+        cmocka_unit_test(test_marched_ball), cmocka_unit_test(test_estimators),
     };
     return cmocka_run_group_tests_name("scenes", tests, find_scenes, support_clean);
 }
