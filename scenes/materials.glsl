@@ -1,6 +1,6 @@
 //@ title   Materials
 //@ look    "the sky upside down in the glass, gold and copper at different finish, and the sun's bright patch behind the glass ball"
-//@ camera  eye 0 2.2 -6.5  target 0 0.6 0  fov 45
+//@ camera  eye 0 2.2 -6.5  target 0 0.6 0  fov 38
 //@ sun     elevation 40  azimuth 120
 //@ size    640 480
 //@ bound   -2.4 0.7 0.9  0.7

@@ -16,7 +16,7 @@ rm -f "$folder"/sheet-*.list "$gallery"/sheet-*.png
 # Light finds the rooms with difficulty.
 samples() {
     case $1 in
-    house | *-room) echo 2048 ;;
+    house | *-room) echo 4096 ;;
     *) echo 256 ;;
     esac
 }
@@ -44,7 +44,7 @@ for scene in "$scenes"/*.glsl; do
             label=$name
             set --
         fi
-        picture "$name-$preset" "$scene" --size 160x120 --spp "$(samples "$name")" "$@"
+        picture "$name-$preset" "$scene" --size 144x108 --spp "$(samples "$name")" "$@"
         echo "$column $row $folder/$name-$preset.png $label" >>"$list"
         column=$((column + 1))
     done
@@ -52,7 +52,7 @@ for scene in "$scenes"/*.glsl; do
     echo "sheets: $name"
 done
 
-tile=112
+tile=96
 per_row=8
 : >"$folder/catalogue.list"
 count=0
@@ -98,7 +98,7 @@ shape torus "vec3(0.0, 0.6, 0.0), vec3(0.0, 0.6, -0.8), 0.42, 0.18"
 shape ellipsoid "vec3(0.0, 0.4, 0.0), vec3(0.7, 0.4, 0.5)"
 shape disk "vec3(0.0, 0.6, 0.0), vec3(0.0, 0.6, -0.8), 0.6"
 entry plane_minus_sphere shape/plane_minus_sphere \
-    "plane_minus_sphere(ray, vec3(0.0, 1.0, 0.0), 1.0, vec3(0.0, 1.0, 0.0), 0.9" "matte(vec3(0.75, 0.45, 0.25))"
+    "plane_minus_sphere(ray, vec3(0.0, 1.0, 0.0), 0.6, vec3(0.0, 0.6, 0.0), 0.55" "matte(vec3(0.75, 0.45, 0.25))"
 material matte "" "matte(vec3(0.3, 0.5, 0.75))"
 material mirror material/mirror "mirror(vec3(0.95))"
 material "gold(), 0.1" material/rough_metal "rough_metal(gold(), 0.1)"
@@ -116,7 +116,7 @@ material gradient color/gradient \
 
 for list in "$folder"/sheet-*.list; do
     file=$gallery/$(basename "$list" .list).png
-    gnuplot -c "$tools/sheet.gp" "$list" "$file" 160 120
+    gnuplot -c "$tools/sheet.gp" "$list" "$file" 144 108
     echo "sheets: $file"
 done
 gnuplot -c "$tools/sheet.gp" "$folder/catalogue.list" "$gallery/shapes-and-materials.png" $tile $tile
