@@ -439,11 +439,38 @@ static void test_operators(void **state) {
     context_close(&context);
 }
 
+/* The hills' slope is at most what a scene divides by, and nearly as much somewhere; heights are from 0 to 1.
+ */
+static void test_hills(void **state) {
+    enum { SIDE = 512 };
+    static float hills[4 * SIDE * SIDE];
+    start(state);
+    double steepest = 0, lowest = 1, highest = 0;
+    support_evaluate(&context,
+                     "#include \"distance/hills.glsl\"\n"
+                     "vec4 evaluate(vec2 texel) {\n"
+                     "    vec2 at = 0.073 * texel - 17.0;\n"
+                     "    vec2 x = vec2(0.001, 0.0);\n"
+                     "    vec2 z = vec2(0.0, 0.001);\n"
+                     "    vec2 rise = vec2(hills(at + x) - hills(at - x), hills(at + z) - hills(at - z));\n"
+                     "    return vec4(length(rise / 0.002), hills(at), HILLS_SLOPE, 0.0);\n}\n",
+                     NULL, SIDE, SIDE, hills);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        steepest = fmax(steepest, (double)hills[4 * i]);
+        lowest = fmin(lowest, (double)hills[4 * i + 1]);
+        highest = fmax(highest, (double)hills[4 * i + 1]);
+    }
+    print_message("hills: slope up to %.3f, heights %.3f to %.3f\n", steepest, lowest, highest);
+    assert_true(steepest < (double)hills[2] + 1e-3 && steepest > 0.8 * (double)hills[2]);
+    assert_true(lowest >= 0 && lowest < 0.05 && highest <= 1 && highest > 0.95);
+    context_close(&context);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_exact),          cmocka_unit_test(test_operators), cmocka_unit_test(test_march),
         cmocka_unit_test(test_march_in_bound), cmocka_unit_test(test_steep),     cmocka_unit_test(test_leave),
-        cmocka_unit_test(test_grazing),        cmocka_unit_test(test_fence),
+        cmocka_unit_test(test_grazing),        cmocka_unit_test(test_fence),     cmocka_unit_test(test_hills),
     };
     return cmocka_run_group_tests_name("distance", tests, support_folder, support_clean);
 }
