@@ -64,7 +64,8 @@ void hit_walls(Ray ray, INOUT(Hit) hit) {
     Interval ball = interval_sphere(vec3(0.0, 0.5, 1.0) - ray.origin, ray.direction, hollow);
     Interval behind = beyond(ray, -z, 4.0);
     Interval above = beyond(ray, y, 4.0);
-    Hit wall = Hit(0.0, vec3(0.0), vec3(0.0), -1, false);
+    Hit wall = hit_none();
+    wall.t = 0.0;
     for (int i = 0; i < 3; i++) { // convex: a ray comes to each part once
         pass_through(behind, ENDS, wall);
         pass_through(room, WALLS, wall);

@@ -53,10 +53,10 @@ float march_step(float radius, float fall) {
 //
 // At t, where all is empty up to, a ball of `radius` is empty too. The next ball must touch it, or there is a gap, and the step
 // is taken again at the radius alone. A step back from beyond the surface, too.
-float march_along(Ray ray, float start, float end, float size, OUT(float) field) {
+float march_along(Ray ray, float start, float end, float size, OUT(float) field, OUT(float) side) {
     float t = start;
     float value = 0.0;     // the field at t, positive on the ray's side
-    float side = 0.0;      // 1 outside, -1 inside; 0 while the ray is on the surface that it leaves
+    side = 0.0;            // while the ray is on the surface that it leaves
     float step = 0.0;
     float steepness = 1.0; // the field's largest change by a metre so far
     float beyond = INFINITY; // where the ray is known to be past a surface
@@ -124,8 +124,9 @@ float march_along(Ray ray, float start, float end, float size, OUT(float) field)
 
 void march_between(Ray ray, float start, float end, float size, int object, INOUT(Hit) hit) {
     float field = 0.0;
+    float side = 0.0;
     int broken = search_broken;
-    float t = march_along(ray, start, min(min(end, hit.t), MARCH_FAR), size, field);
+    float t = march_along(ray, start, min(min(end, hit.t), MARCH_FAR), size, field, side);
     if (t < INFINITY) {
         vec3 p = ray.origin + t * ray.direction;
         float near = max(march_size(p), size);
@@ -137,7 +138,11 @@ void march_between(Ray ray, float start, float end, float size, int object, INOU
         float reach = 64.0 * MARCH_PRECISION * (near + t);
         float rest = abs(slope) > 1.0e-4 ? clamp(-field / slope, -reach, reach) : 0.0;
         hit.t = max(t + rest, 0.5 * t);
-        hit.normal = steepness > 0.0 ? gradient / steepness : -ray.direction;
+        vec3 normal = steepness > 0.0 ? gradient / steepness : -ray.direction;
+        // On an edge the differences blend two sides: what then faces away from where the ray came from is turned until it
+        // grazes, or the path would go on within the solid.
+        float facing = side * dot(normal, ray.direction);
+        hit.normal = facing < 0.0 ? normal : normalize(normal - side * (facing + 1.0e-3) * ray.direction);
         hit.object = object;
     }
 }
