@@ -262,7 +262,8 @@ static void warn_search(const Job *job) {
     const FilmSearch *search = &job->search;
     const char *path = job->scene.path;
     if (job->options->verbose && search->rays > 0) {
-        fprintf(stderr, "searches: %.4g rays, %.1f steps each\n", search->rays, search->steps / search->rays);
+        fprintf(stderr, "searches: %.4g rays, %.1f steps each, %.0f cut\n", search->rays,
+                search->steps / search->rays, search->cut);
     }
     if (search->broken > 0) {
         fprintf(stderr,
@@ -271,7 +272,7 @@ static void warn_search(const Job *job) {
                 "there may be holes; divide scene_distance() by its largest slope\n",
                 path, 100 * search->broken / search->rays);
     }
-    if (search->cut > 0) {
+    if (search->cut > 1e-6 * search->rays) {
         fprintf(stderr,
                 "magichour: warning: %s: %.2g %% of the rays that searched were cut after as many steps as "
                 "they may take: they may "
