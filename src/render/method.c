@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_STEPS = 65535, FEWEST_NODES = 4, MOST_NODES = 12, DEFAULT_NODES = 8, MOST_SEGMENTS = 6 };
+enum { MOST_STEPS = 65535, FEWEST_NODES = 4, MOST_NODES = 12, DEFAULT_NODES = 8, MOST_SEGMENTS = 6, FEWEST_TEXELS = 4, MOST_TEXELS = 1024 };
 
 /* With fewer paths gauss:8 for each is done before the table's program is compiled: measured, 256x256 at one
  * sample is even. */
@@ -19,7 +19,8 @@ static const Method methods[] = {
     {METHOD_SKY, "gauss", "pass/sums_gauss.glsl", true,
      "gauss[:n]: Gauss-Legendre with n nodes a segment, 4 to 12 (8), columns to the sun in closed form"},
     {METHOD_SKY, "table", NULL, false,
-     "table[:METHOD]: what gauss or paper gives (gauss:8), tabulated once per sun position"},
+     "table[:METHOD][@CxR]: what gauss or paper gives (gauss:8), tabulated once per sun position, C azimuths by R "
+     "elevations above the horizon and R below (by the sun)"},
     {METHOD_SKY, "paper", "pass/sums_paper.glsl", true,
      "paper[:NxM]: the paper's sums, N midpoints along the view ray, M back to the eye and M toward the sun "
      "(16x4)"},
@@ -86,16 +87,27 @@ static bool parse_uniform(MethodChoice *choice, const char *number, Error *error
     return true;
 }
 
-/* The "gauss:8" of table:gauss:8. */
-static bool parse_table(MethodChoice *choice, const char *base, Error *error) {
-    char text[sizeof choice->text];
-    if (!method_choose(choice, METHOD_SKY, base ? base : "gauss", error)) return false;
+/* The "gauss:8@32x96" of table:gauss:8@32x96. */
+static bool parse_table(MethodChoice *choice, const char *text, Error *error) {
+    const char *size = text ? strchr(text, '@') : NULL;
+    char base[sizeof choice->text];
+    int columns = 0, rows = 0, used = 0;
+    if (size && (sscanf(size, "@%4dx%4d%n", &columns, &rows, &used) != 2 || size[used] ||
+                 columns < FEWEST_TEXELS || rows < FEWEST_TEXELS || columns > MOST_TEXELS || rows > MOST_TEXELS)) {
+        return error_set(error, STATUS_USAGE,
+                         "--sky: 'table%s%s' is not table:METHOD@COLUMNSxROWS with both from %d to %d",
+                         *text == '@' ? "" : ":", text, FEWEST_TEXELS, MOST_TEXELS);
+    }
+    snprintf(base, sizeof base, "%.*s", size ? (int)(size - text) : 40, text ? text : "");
+    if (!method_choose(choice, METHOD_SKY, base[0] ? base : "gauss", error)) return false;
     if (choice->table || !choice->method->integrates) {
-        return error_set(error, STATUS_USAGE, "--sky: 'table:%s': a table is filled by gauss or paper", base);
+        return error_set(error, STATUS_USAGE, "--sky: 'table:%s': a table is filled by gauss or paper", text);
     }
     choice->table = true;
-    snprintf(text, sizeof text, "table:%.40s", choice->text);
-    memcpy(choice->text, text, sizeof text);
+    choice->columns = columns;
+    choice->rows = rows;
+    snprintf(base, sizeof base, "%s", choice->text);
+    snprintf(choice->text, sizeof choice->text, size ? "table:%.28s@%dx%d" : "table:%.28s", base, columns, rows);
     return true;
 }
 
@@ -115,8 +127,8 @@ static bool parse_numbers(MethodChoice *choice, const char *numbers, Error *erro
 
 bool method_choose(MethodChoice *choice, MethodFamily family, const char *text, Error *error) {
     if (!text || strcmp(text, "auto") == 0) text = defaults[family];
-    const char *colon = strchr(text, ':');
-    size_t length = colon ? (size_t)(colon - text) : strlen(text);
+    size_t length = strcspn(text, ":@");
+    const char *numbers = text[length] == ':' ? text + length + 1 : text[length] ? text + length : NULL;
     Text known = {0};
     *choice = (MethodChoice){0};
     for (int i = 0; method_get(i); i++) {
@@ -125,7 +137,7 @@ bool method_choose(MethodChoice *choice, MethodFamily family, const char *text, 
         if (strlen(method->name) == length && strncmp(method->name, text, length) == 0) {
             text_free(&known);
             choice->method = method;
-            return parse_numbers(choice, colon ? colon + 1 : NULL, error);
+            return parse_numbers(choice, numbers, error);
         }
         text_print(&known, ", %s", method->name);
     }

@@ -25,6 +25,7 @@ typedef struct MethodChoice {
     const Method *method;
     char text[48];   /* in full: "table:gauss:8" */
     bool table;      /* a sky: `method` fills a table that is looked up */
+    int columns, rows; /* of the table's half above the horizon and of that below; 0 is by the sun */
     int counts[2];   /* paper: N and M; gauss: nodes a segment */
     double level;    /* uniform: L */
     long iterations; /* of loops, a call of the method: paper N + N M */

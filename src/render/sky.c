@@ -36,7 +36,10 @@ void sky_slots(const MethodChoice *choice, const Atmosphere *atmosphere, GlslSlo
 
 /* The table's own error over the sky, measured by tests/test_sky_methods.c: up to 0.04 % by day, 0.07 % with
  * the sun at 0 to 2 degrees, 0.1 % down to -6. */
-static void table_size(double sun_elevation_deg, int *columns, int *rows) {
+static void table_size(const MethodChoice *choice, double sun_elevation_deg, int *columns, int *rows) {
+    *columns = choice->columns;
+    *rows = choice->rows;
+    if (*columns) return;
     *columns = sun_elevation_deg >= 2 ? 32 : sun_elevation_deg >= -6.5 ? 64 : 128;
     *rows = sun_elevation_deg >= 2 ? 96 : 2 * *columns;
 }
@@ -139,7 +142,7 @@ static bool resize(Sky *sky, const SkyState *state, Error *error) {
     static const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     const GlApi *gl = sky->gl;
     int columns, rows;
-    table_size(state->sun_elevation_deg, &columns, &rows);
+    table_size(&sky->choice, state->sun_elevation_deg, &columns, &rows);
     gl->BindFramebuffer(GL_FRAMEBUFFER, sky->framebuffer);
     if (columns == sky->columns && rows == sky->rows) return true;
     sky->columns = columns;
