@@ -76,6 +76,7 @@ static bool prepare(Job *job, Error *error) {
                            .seed = options->seed,
                            .max_hits = options->depth,
                            .samples = options->samples,
+                           .error_percent = options->error_percent,
                            .variance = job->aov_kinds & AOV_VARIANCE};
     if (options->error_percent > 0 && options->samples) {
         return error_set(error, STATUS_USAGE,
@@ -222,6 +223,10 @@ static bool write_outputs(const Job *job, int argc, char **argv, Error *error) {
     return ok;
 }
 
+static void say_why(const char *what, const MethodChoice *choice) {
+    if (choice->why[0]) fprintf(stderr, "auto took %s %s: %s\n", what, choice->text, choice->why);
+}
+
 static void say_choices(const Job *job) {
     const Renderer *renderer = &job->renderer;
     fprintf(stderr, "backend %s (%s): %s, OpenGL %s\n", job->context.backend->name, job->context.detail,
@@ -229,13 +234,11 @@ static void say_choices(const Job *job) {
     fprintf(stderr, "sky %s, sun disk %s, light %s, sequence %s, at most %d hits, groups of %u samples\n",
             renderer->sky.choice.text, renderer->sun_disk.text, renderer->light.text, renderer->sequence.text,
             renderer->max_hits, renderer->group_samples);
+    say_why("sky", &renderer->sky.choice);
+    say_why("light", &renderer->light);
     if (renderer->sky.choice.table) {
-        fprintf(stderr,
-                "the sky's table: twice %dx%d directions, above the horizon and below; more in twilight than "
-                "by day\n",
+        fprintf(stderr, "the sky's table: twice %dx%d directions, above the horizon and below\n",
                 renderer->sky.columns, renderer->sky.rows);
-    } else if (renderer->sky.choice.method->integrates && !job->options->sky) {
-        fprintf(stderr, "no table of the sky: too few paths to repay it, or an observer above the air\n");
     }
     fprintf(stderr, "compiled: %s\n", text_string(&renderer->source_files));
 }

@@ -3,6 +3,7 @@
 #include "cmd/setup.h"
 #include "cmd/sky_rows.h"
 #include "image/image.h"
+#include "render/auto.h"
 #include "render/sky_probe.h"
 #include "render/sky_reference.h"
 #include "render/sun.h"
@@ -16,6 +17,9 @@
 enum { DISK_SAMPLES = 16 }; /* a side, in each pixel that the disk may touch */
 
 static const double degree = 3.14159265358979323846 / 180;
+
+/* What auto is asked for: a third of it is the bias, and a map has no other error. */
+static const double map_error_percent = 0.3;
 
 typedef struct Job {
     const Options *options;
@@ -39,10 +43,14 @@ static void unit_vector(double elevation_deg, double azimuth_deg, double out[3])
 
 static bool open_probe(Job *job, double directions, Error *error) {
     const Atmosphere *a = &job->scene.atmosphere;
-    bool above_air = a->observer_height_m > a->top_radius_m - a->planet_radius_m;
+    AutoWish wish = {.error_percent = map_error_percent,
+                     .samples = 1,
+                     .pixels = directions,
+                     .sun_elevation_deg = job->scene.sun_elevation_deg,
+                     .atmosphere = a};
     MethodChoice choice;
     return setup_library(job->options, &job->library, error) &&
-           method_choose_sky(&choice, job->options->sky, directions, above_air, error) &&
+           auto_sky(&choice, job->options->sky, &wish, error) &&
            context_open(&job->context, job->options->backend, error) &&
            sky_probe_create(&job->probe, &job->context, job->library, &choice, a, error);
 }

@@ -5,11 +5,18 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_STEPS = 65535, FEWEST_NODES = 4, MOST_NODES = 12, DEFAULT_NODES = 8, MOST_SEGMENTS = 6, FEWEST_TEXELS = 4, MOST_TEXELS = 1024 };
+enum {
+    MOST_STEPS = 65535,
+    FEWEST_NODES = 4,
+    MOST_NODES = 12,
+    DEFAULT_NODES = 8,
+    MOST_SEGMENTS = 6,
+    FEWEST_TEXELS = 4,
+    MOST_TEXELS = 1024
+};
 
-/* With fewer paths gauss:8 for each is done before the table's program is compiled: measured, 256x256 at one
- * sample is even. */
-static const double table_pays = 6e4;
+/* What a table whose size is not given may add to a picture's error, percent. */
+static const double default_table_percent = 0.1;
 
 static const char *const family_names[METHOD_FAMILIES] = {"--sky", "--light", "--sequence", "--sun-disk"};
 
@@ -19,7 +26,8 @@ static const Method methods[] = {
     {METHOD_SKY, "gauss", "pass/sums_gauss.glsl", true,
      "gauss[:n]: Gauss-Legendre with n nodes a segment, 4 to 12 (8), columns to the sun in closed form"},
     {METHOD_SKY, "table", NULL, false,
-     "table[:METHOD][@CxR]: what gauss or paper gives (gauss:8), tabulated once per sun position, C azimuths by R "
+     "table[:METHOD][@CxR]: what gauss or paper gives (gauss:8), tabulated once per sun position, C azimuths "
+     "by R "
      "elevations above the horizon and R below (by the sun)"},
     {METHOD_SKY, "paper", "pass/sums_paper.glsl", true,
      "paper[:NxM]: the paper's sums, N midpoints along the view ray, M back to the eye and M toward the sun "
@@ -92,8 +100,9 @@ static bool parse_table(MethodChoice *choice, const char *text, Error *error) {
     const char *size = text ? strchr(text, '@') : NULL;
     char base[sizeof choice->text];
     int columns = 0, rows = 0, used = 0;
-    if (size && (sscanf(size, "@%4dx%4d%n", &columns, &rows, &used) != 2 || size[used] ||
-                 columns < FEWEST_TEXELS || rows < FEWEST_TEXELS || columns > MOST_TEXELS || rows > MOST_TEXELS)) {
+    if (size &&
+        (sscanf(size, "@%4dx%4d%n", &columns, &rows, &used) != 2 || size[used] || columns < FEWEST_TEXELS ||
+         rows < FEWEST_TEXELS || columns > MOST_TEXELS || rows > MOST_TEXELS)) {
         return error_set(error, STATUS_USAGE,
                          "--sky: 'table%s%s' is not table:METHOD@COLUMNSxROWS with both from %d to %d",
                          *text == '@' ? "" : ":", text, FEWEST_TEXELS, MOST_TEXELS);
@@ -106,8 +115,10 @@ static bool parse_table(MethodChoice *choice, const char *text, Error *error) {
     choice->table = true;
     choice->columns = columns;
     choice->rows = rows;
+    choice->table_percent = default_table_percent;
     snprintf(base, sizeof base, "%s", choice->text);
-    snprintf(choice->text, sizeof choice->text, size ? "table:%.28s@%dx%d" : "table:%.28s", base, columns, rows);
+    snprintf(choice->text, sizeof choice->text, size ? "table:%.28s@%dx%d" : "table:%.28s", base, columns,
+             rows);
     return true;
 }
 
@@ -145,19 +156,4 @@ bool method_choose(MethodChoice *choice, MethodFamily family, const char *text, 
               text_string(&known));
     text_free(&known);
     return false;
-}
-
-bool method_choose_sky(MethodChoice *choice, const char *text, double paths, bool above_air, Error *error) {
-    bool automatic = !text || strcmp(text, "auto") == 0;
-    if (automatic && (above_air || paths < table_pays)) text = "gauss:8";
-    return method_choose(choice, METHOD_SKY, text, error);
-}
-
-/* Time to 1 % of the crater, sky alone: sun 30, control 1.1 s, mis and cosine 1.2 s, cosine with random
- * numbers 5 s and more; sun 5, control 1.5 s, cosine 2.4 s. Control asks the sky twice a path, which only a
- * table makes cheap. */
-bool method_choose_light(MethodChoice *choice, const char *text, bool table, bool bounds, Error *error) {
-    bool automatic = !text || strcmp(text, "auto") == 0;
-    if (automatic && table && bounds) text = "control";
-    return method_choose(choice, METHOD_LIGHT, text, error);
 }

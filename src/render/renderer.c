@@ -2,6 +2,8 @@
 
 #include "base/clock.h"
 #include "base/text.h"
+#include "render/auto.h"
+#include "render/bias.h"
 #include "render/strips.h"
 
 #include <math.h>
@@ -81,17 +83,19 @@ static bool choose_group(Renderer *renderer, const Methods *methods, const Scene
 static bool choose_methods(Methods *methods, const RenderParams *params, int width, int height,
                            Error *error) {
     const Scene *scene = params->scene;
-    const Atmosphere *a = &scene->atmosphere;
     const char *sky = params->sky ? params->sky : scene->sky[0] ? scene->sky : NULL;
-    double paths = params->samples ? (double)params->samples * width * height : INFINITY;
-    bool above_air = a->observer_height_m > a->top_radius_m - a->planet_radius_m;
-    if (!method_choose_sky(&methods->sky, sky, paths, above_air, error)) {
+    AutoWish wish = {.error_percent = params->error_percent,
+                     .samples = (double)params->samples,
+                     .pixels = (double)width * height,
+                     .sun_elevation_deg = scene->sun_elevation_deg,
+                     .atmosphere = &scene->atmosphere,
+                     .bounds = scene->bound_count > 0};
+    if (!auto_sky(&methods->sky, sky, &wish, error)) {
         if (params->sky) return false;
         error->status = STATUS_SCENE;
         return error_prefix(error, "%s:%d: ", scene->path, scene->sky_line);
     }
-    return method_choose_light(&methods->light, params->light, methods->sky.table, scene->bound_count > 0,
-                               error) &&
+    return auto_light(&methods->light, params->light, &methods->sky, &wish, error) &&
            method_choose(&methods->sequence, METHOD_SEQUENCE, params->sequence, error) &&
            sun_choose(&methods->sun, params->sun_disk, scene, error);
 }
@@ -288,6 +292,7 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
         !choose_group(renderer, &methods, &needs, params, error)) {
         goto fail;
     }
+    renderer->sky_bias_percent = bias_sky_percent(&methods.sky, scene->sun_elevation_deg, &scene->atmosphere);
     renderer->light = methods.light;
     renderer->sequence = methods.sequence;
     renderer->sun_disk = methods.sun;

@@ -19,9 +19,10 @@ typedef struct RenderParams {
     const char *sun_disk;               /* NULL for what the scene says */
     int width, height;                  /* 0 for the scene's */
     unsigned seed;
-    int max_hits;     /* 0 is unlimited */
-    uint64_t samples; /* likely to be taken a pixel, for auto's choice; 0 is many */
-    bool variance;    /* whether the film is to know its error (film_read_variance) */
+    int max_hits;         /* 0 is unlimited */
+    uint64_t samples;     /* that will be taken a pixel, for auto's choice; 0 is as many as the error takes */
+    double error_percent; /* asked for; 0 for auto's own idea of it (render/auto.h) */
+    bool variance;        /* whether the film is to know its error (film_read_variance) */
 } RenderParams;
 
 typedef struct Renderer {
@@ -38,6 +39,7 @@ typedef struct Renderer {
     SkySampler sampler;
     Spheres spheres;
     MethodChoice light, sequence, sun_disk;
+    double sky_bias_percent; /* claimed (render/bias.h); NAN where it is not known */
     int max_hits;
     unsigned seed;
     unsigned group_samples;   /* per pass; the last pass may take fewer */

@@ -1,6 +1,7 @@
 #include "render/sky.h"
 
 #include "gl/texture.h"
+#include "render/bias.h"
 #include "render/gauss_table.h"
 
 #include <math.h>
@@ -32,16 +33,6 @@ void sky_slots(const MethodChoice *choice, const Atmosphere *atmosphere, GlslSlo
     slots[2] = (GlslSlot){"absorber",
                           atmosphere->ozone > 0 ? "sky/absorber_ozone.glsl" : "sky/absorber_none.glsl", NULL};
     slots[3] = (GlslSlot){"gauss-nodes", NULL, text->nodes};
-}
-
-/* The table's own error over the sky, measured by tests/test_sky_methods.c: up to 0.04 % by day, 0.07 % with
- * the sun at 0 to 2 degrees, 0.1 % down to -6. */
-static void table_size(const MethodChoice *choice, double sun_elevation_deg, int *columns, int *rows) {
-    *columns = choice->columns;
-    *rows = choice->rows;
-    if (*columns) return;
-    *columns = sun_elevation_deg >= 2 ? 32 : sun_elevation_deg >= -6.5 ? 64 : 128;
-    *rows = sun_elevation_deg >= 2 ? 96 : 2 * *columns;
 }
 
 static bool create_fill(Sky *sky, const char *library, const Atmosphere *atmosphere, Error *error) {
@@ -141,8 +132,10 @@ static void set_all(const Sky *sky, const Program *program, const SkyState *stat
 static bool resize(Sky *sky, const SkyState *state, Error *error) {
     static const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     const GlApi *gl = sky->gl;
-    int columns, rows;
-    table_size(&sky->choice, state->sun_elevation_deg, &columns, &rows);
+    int columns = sky->choice.columns, rows = sky->choice.rows;
+    if (!columns)
+        bias_table_size(sky->choice.table_percent, state->sun_elevation_deg, &state->atmosphere, &columns,
+                        &rows);
     gl->BindFramebuffer(GL_FRAMEBUFFER, sky->framebuffer);
     if (columns == sky->columns && rows == sky->rows) return true;
     sky->columns = columns;

@@ -1,0 +1,102 @@
+#include "render/auto.h"
+
+#include "render/bias.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A picture's noise after n samples is about 10 % / sqrt(n): the crater's and the materials' are. */
+static const double noise_of_one_percent = 10, default_error_percent = 1;
+
+double auto_error_percent(const AutoWish *wish) {
+    if (wish->error_percent > 0) return wish->error_percent;
+    return wish->samples > 0 ? fmin(noise_of_one_percent / sqrt(wish->samples), default_error_percent)
+                             : default_error_percent;
+}
+
+static double paths_of(const AutoWish *wish) {
+    double samples = wish->samples > 0 ? wish->samples : pow(noise_of_one_percent / auto_error_percent(wish), 2);
+    return fmax(samples, 1) * wish->pixels;
+}
+
+/* Seconds that a sky takes on two cores with llvmpipe, beside the picture's own: compiling, which goes with the square of the nodes,
+ * once for a shader that asks anew and once more for a table's; then 9 ns a node and path, or a look into a table, the slower the
+ * less of it fits the caches. */
+static double seconds_of(const MethodChoice *choice, int columns, int rows, double paths) {
+    double nodes = choice->counts[0], compile = 0.09 + 0.0035 * nodes * nodes;
+    if (!choice->table) return compile + 9e-9 * nodes * paths;
+    double texels = 2.0 * columns * rows;
+    return compile + 0.03 + 9e-9 * nodes * texels + (7e-9 + 3e-11 * sqrt(texels)) * paths;
+}
+
+/* What auto looks at: nodes asked for each path, or a table that they fill. */
+typedef struct Candidate {
+    MethodChoice choice;
+    double bias, seconds; /* percent; estimated */
+} Candidate;
+
+enum { NODES = 7, SIZES = 5, CANDIDATES = NODES * (1 + SIZES) };
+
+static const int nodes_tried[NODES] = {4, 5, 6, 7, 8, 10, 12};
+
+static bool describe(Candidate *candidate, int nodes, int columns, const AutoWish *wish, Error *error) {
+    char text[sizeof candidate->choice.text];
+    snprintf(text, sizeof text, columns ? "table:gauss:%d@%dx%d" : "gauss:%d", nodes, columns, 3 * columns);
+    if (!method_choose(&candidate->choice, METHOD_SKY, text, error)) return false;
+    candidate->bias = bias_sky_percent(&candidate->choice, wish->sun_elevation_deg, wish->atmosphere);
+    candidate->seconds = seconds_of(&candidate->choice, columns, 3 * columns, paths_of(wish));
+    return true;
+}
+
+/* Of those that err by `limit` at most the cheapest, or else the best. */
+static bool is_better(const Candidate *a, const Candidate *b, double limit) {
+    if ((a->bias <= limit) != (b->bias <= limit)) return a->bias <= limit;
+    return a->bias <= limit ? a->seconds < b->seconds : a->bias < b->bias;
+}
+
+/* The best of those that would cost less, in words. */
+static void say_why(MethodChoice *choice, const Candidate *best, const Candidate *all, double limit) {
+    const Candidate *cheaper = NULL;
+    char rest[100] = "nothing is cheaper";
+    for (int i = 0; i < CANDIDATES; i++) {
+        if (all[i].seconds < best->seconds && (!cheaper || all[i].bias < cheaper->bias)) cheaper = &all[i];
+    }
+    if (cheaper) snprintf(rest, sizeof rest, "%s is cheaper and errs by %.2g %%", cheaper->choice.text, cheaper->bias);
+    snprintf(choice->why, sizeof choice->why, "bias %.2g %%, %s %.2g %%, a third of the error asked for; %s", best->bias,
+             best->bias <= limit ? "within" : "the least that there is, not within", limit,
+             best->bias <= limit ? rest : "ask for more");
+}
+
+static bool take_cheapest(MethodChoice *choice, const AutoWish *wish, Error *error) {
+    Candidate all[CANDIDATES];
+    double limit = auto_error_percent(wish) / 3;
+    const Candidate *best = all;
+    for (int i = 0; i < CANDIDATES; i++) {
+        int size = i % (1 + SIZES), columns = size ? 8 << size : 0;
+        if (!describe(&all[i], nodes_tried[i / (1 + SIZES)], columns, wish, error)) return false;
+        if (is_better(&all[i], best, limit)) best = &all[i];
+    }
+    *choice = best->choice;
+    say_why(choice, best, all, limit);
+    return true;
+}
+
+bool auto_sky(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error) {
+    if (text && strcmp(text, "auto") != 0) return method_choose(choice, METHOD_SKY, text, error);
+    if (!method_choose(choice, METHOD_SKY, "table:gauss:12", error)) return false;
+    if (!isnan(bias_sky_percent(choice, wish->sun_elevation_deg, wish->atmosphere))) return take_cheapest(choice, wish, error);
+    snprintf(choice->why, sizeof choice->why, "nothing was measured for such an air or such a sun: the best nodes");
+    return true;
+}
+
+bool auto_light(MethodChoice *choice, const char *text, const MethodChoice *sky, const AutoWish *wish, Error *error) {
+    bool automatic = !text || strcmp(text, "auto") == 0;
+    if (automatic && sky->table && wish->bounds) text = "control";
+    if (!method_choose(choice, METHOD_LIGHT, text, error)) return false;
+    if (automatic) {
+        snprintf(choice->why, sizeof choice->why, "%s", !sky->table ? "control would ask the sky twice a path, and there is no table of it"
+                 : wish->bounds ? "the sky is a table and the scene has bounds" : "the scene has no bounds");
+    }
+    return true;
+}
