@@ -16,13 +16,14 @@ double auto_error_percent(const AutoWish *wish) {
 }
 
 static double paths_of(const AutoWish *wish) {
-    double samples = wish->samples > 0 ? wish->samples : pow(noise_of_one_percent / auto_error_percent(wish), 2);
+    double samples =
+        wish->samples > 0 ? wish->samples : pow(noise_of_one_percent / auto_error_percent(wish), 2);
     return fmax(samples, 1) * wish->pixels;
 }
 
-/* Seconds that a sky takes on two cores with llvmpipe, beside the picture's own: compiling, which goes with the square of the nodes,
- * once for a shader that asks anew and once more for a table's; then 9 ns a node and path, or a look into a table, the slower the
- * less of it fits the caches. */
+/* Seconds that a sky takes on two cores with llvmpipe, beside the picture's own: compiling, which goes with
+ * the square of the nodes, once for a shader that asks anew and once more for a table's; then 9 ns a node and
+ * path, or a look into a table, the slower the less of it fits the caches. */
 static double seconds_of(const MethodChoice *choice, int columns, int rows, double paths) {
     double nodes = choice->counts[0], compile = 0.09 + 0.0035 * nodes * nodes;
     if (!choice->table) return compile + 9e-9 * nodes * paths;
@@ -62,9 +63,10 @@ static void say_why(MethodChoice *choice, const Candidate *best, const Candidate
     for (int i = 0; i < CANDIDATES; i++) {
         if (all[i].seconds < best->seconds && (!cheaper || all[i].bias < cheaper->bias)) cheaper = &all[i];
     }
-    if (cheaper) snprintf(rest, sizeof rest, "%s is cheaper and errs by %.2g %%", cheaper->choice.text, cheaper->bias);
-    snprintf(choice->why, sizeof choice->why, "bias %.2g %%, %s %.2g %%, a third of the error asked for; %s", best->bias,
-             best->bias <= limit ? "within" : "the least that there is, not within", limit,
+    if (cheaper)
+        snprintf(rest, sizeof rest, "%s is cheaper and errs by %.2g %%", cheaper->choice.text, cheaper->bias);
+    snprintf(choice->why, sizeof choice->why, "bias %.2g %%, %s %.2g %%, a third of the error asked for; %s",
+             best->bias, best->bias <= limit ? "within" : "the least that there is, not within", limit,
              best->bias <= limit ? rest : "ask for more");
 }
 
@@ -85,18 +87,23 @@ static bool take_cheapest(MethodChoice *choice, const AutoWish *wish, Error *err
 bool auto_sky(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error) {
     if (text && strcmp(text, "auto") != 0) return method_choose(choice, METHOD_SKY, text, error);
     if (!method_choose(choice, METHOD_SKY, "table:gauss:12", error)) return false;
-    if (!isnan(bias_sky_percent(choice, wish->sun_elevation_deg, wish->atmosphere))) return take_cheapest(choice, wish, error);
-    snprintf(choice->why, sizeof choice->why, "nothing was measured for such an air or such a sun: the best nodes");
+    if (!isnan(bias_sky_percent(choice, wish->sun_elevation_deg, wish->atmosphere)))
+        return take_cheapest(choice, wish, error);
+    snprintf(choice->why, sizeof choice->why,
+             "nothing was measured for such an air or such a sun: the best nodes");
     return true;
 }
 
-bool auto_light(MethodChoice *choice, const char *text, const MethodChoice *sky, const AutoWish *wish, Error *error) {
+bool auto_light(MethodChoice *choice, const char *text, const MethodChoice *sky, const AutoWish *wish,
+                Error *error) {
     bool automatic = !text || strcmp(text, "auto") == 0;
     if (automatic && sky->table && wish->bounds) text = "control";
     if (!method_choose(choice, METHOD_LIGHT, text, error)) return false;
     if (automatic) {
-        snprintf(choice->why, sizeof choice->why, "%s", !sky->table ? "control would ask the sky twice a path, and there is no table of it"
-                 : wish->bounds ? "the sky is a table and the scene has bounds" : "the scene has no bounds");
+        snprintf(choice->why, sizeof choice->why, "%s",
+                 !sky->table    ? "control would ask the sky twice a path, and there is no table of it"
+                 : wish->bounds ? "the sky is a table and the scene has bounds"
+                                : "the scene has no bounds");
     }
     return true;
 }

@@ -1,0 +1,245 @@
+/* What the sky's methods are said to err, held against pictures and skies; and what auto makes of it. */
+#include "support.h"
+
+#include "render/auto.h"
+#include "render/bias.h"
+#include "render/renderer.h"
+#include "render/sky_probe.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { SIZE = 96, PASSES = 2, SUNS = 7, DIRECTIONS = 2048 };
+
+static const double suns[SUNS] = {75, 25, 8, 2, 0, -3, -7};
+
+static double rel_rmse_percent(const float *a, const float *b, int pixels) {
+    double squares = 0, mean = 0;
+    for (int i = 0; i < 4 * pixels; i++) {
+        if (i % 4 == 3) continue;
+        squares += pow((double)a[i] - (double)b[i], 2);
+        mean += (double)b[i];
+    }
+    return 100 * sqrt(squares * 3 * pixels) / mean;
+}
+
+/* The scene under every sun by one sky: the same paths whatever the sky. */
+static void render_suns(const Context *context, const char *scene_path, const char *sky, Image pictures[SUNS]) {
+    Scene scene;
+    Renderer renderer;
+    FilmCount count;
+    Error error;
+    if (!scene_read(&scene, scene_path, &error)) fail_msg("%s", error.text);
+    RenderParams params = {.scene = &scene, .library = "glsl", .sky = sky, .light = "cosine", .width = SIZE, .height = SIZE};
+    if (!renderer_create(&renderer, context, &params, &error)) fail_msg("%s", error.text);
+    for (int s = 0; s < SUNS; s++) {
+        SkyState state = {scene.atmosphere, suns[s], scene.sun_azimuth_deg};
+        film_reset(&renderer.film);
+        assert_true(sky_use(&renderer.sky, &renderer.program, &state, &error));
+        for (int i = 0; i < PASSES; i++) assert_true(renderer_pass(&renderer, 16, NULL, &error));
+        assert_true(film_read(&renderer.film, &pictures[s], &count, &error));
+    }
+    renderer_destroy(&renderer);
+    scene_destroy(&scene);
+}
+
+/* No picture errs by more than is claimed; and the worse of two by a quarter of it at least, so that claims are no lazy bounds. */
+static void test_pictures(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"scenes/crater.glsl", "scenes/materials.glsl"};
+    static const char *const methods[] = {"gauss:4", "gauss:6", "gauss:8", "paper:16x4", "table:gauss:12@16x48",
+                                          "table:gauss:12@16x192"};
+    enum { METHODS = sizeof methods / sizeof *methods };
+    const Atmosphere *atmosphere = &atmosphere_preset(0)->atmosphere;
+    double measured[METHODS][SUNS] = {{0}};
+    Context context;
+    support_open(&context);
+    for (int k = 0; k < 2; k++) {
+        Image truth[SUNS];
+        render_suns(&context, scenes[k], "gauss:12", truth);
+        for (int m = 0; m < METHODS; m++) {
+            Image pictures[SUNS];
+            render_suns(&context, scenes[k], methods[m], pictures);
+            for (int s = 0; s < SUNS; s++) {
+                measured[m][s] = fmax(measured[m][s], rel_rmse_percent(pictures[s].rgba, truth[s].rgba, SIZE * SIZE));
+                image_free(&pictures[s]);
+            }
+        }
+        for (int s = 0; s < SUNS; s++) image_free(&truth[s]);
+    }
+    for (int m = 0; m < METHODS; m++) {
+        MethodChoice choice;
+        Error error;
+        assert_true(method_choose(&choice, METHOD_SKY, methods[m], &error));
+        for (int s = 0; s < SUNS; s++) {
+            double claimed = bias_sky_percent(&choice, suns[s], atmosphere), got = measured[m][s];
+            print_message("%-22s sun %4g: claimed %.4f %%, in pictures %.4f %%\n", methods[m], suns[s], claimed, got);
+            assert_true(got <= claimed);
+            assert_true(claimed <= 4 * got + 0.002);
+        }
+    }
+    context_close(&context);
+}
+
+/* The whole sky, as an observer sees it, by relRMSE over directions. */
+static void ask_sky(const Context *context, const char *method, const SkyState *state, float *radiances) {
+    static float directions[4 * DIRECTIONS];
+    double horizon = sky_horizon_sine(&state->atmosphere);
+    SkyProbe probe;
+    MethodChoice choice;
+    Error error;
+    bool below = state->atmosphere.observer_height_m > 1000;
+    for (int i = 0; i < DIRECTIONS; i++) {
+        double low = below ? -1 : horizon, y = low + (1 - low) * (i + 0.5) / DIRECTIONS, azimuth = 2.39996323 * i;
+        directions[4 * i] = (float)(sqrt(1 - y * y) * sin(azimuth));
+        directions[4 * i + 1] = (float)y;
+        directions[4 * i + 2] = (float)(sqrt(1 - y * y) * cos(azimuth));
+    }
+    if (!method_choose(&choice, METHOD_SKY, method, &error) ||
+        !sky_probe_create(&probe, context, "glsl", &choice, &state->atmosphere, &error) ||
+        !sky_probe_ask(&probe, state, directions, DIRECTIONS, radiances, &error)) {
+        fail_msg("%s", error.text);
+    }
+    sky_probe_destroy(&probe);
+}
+
+/* Heights, suns and an air that the claims were not made from. */
+static void test_skies(void **state) {
+    (void)state;
+    static const char *const methods[] = {"gauss:5", "gauss:7", "table:gauss:10@32x96"};
+    static const double heights[] = {30, 5000, 40000, 150000}, places[] = {50, 7, 0.7, -2.5, -9};
+    static float truth[4 * DIRECTIONS], got[4 * DIRECTIONS];
+    Context context;
+    support_open(&context);
+    for (int k = 0; k < 4 * 5 * 2; k++) {
+        SkyState sky = {atmosphere_preset(k % 2 ? 2 : 0)->atmosphere, places[k / 2 % 5], 30};
+        sky.atmosphere.observer_height_m = heights[k / 10];
+        ask_sky(&context, "gauss:12", &sky, truth);
+        for (int m = 0; m < 3; m++) {
+            MethodChoice choice;
+            Error error;
+            assert_true(method_choose(&choice, METHOD_SKY, methods[m], &error));
+            ask_sky(&context, methods[m], &sky, got);
+            double claimed = bias_sky_percent(&choice, sky.sun_elevation_deg, &sky.atmosphere);
+            double measured = rel_rmse_percent(got, truth, DIRECTIONS);
+            print_message("%-22s sun %4g, %6g m, ozone %g: claimed %.4f %%, over the sky %.4f %%\n", methods[m], sky.sun_elevation_deg,
+                          sky.atmosphere.observer_height_m, sky.atmosphere.ozone, claimed, measured);
+            assert_true(measured <= claimed);
+        }
+    }
+    context_close(&context);
+}
+
+static MethodChoice choose(const char *text, double error_percent, double sun, const Atmosphere *atmosphere) {
+    AutoWish wish = {
+        .error_percent = error_percent, .pixels = 512.0 * 512, .sun_elevation_deg = sun, .atmosphere = atmosphere, .bounds = true};
+    MethodChoice choice;
+    Error error;
+    if (!auto_sky(&choice, text, &wish, &error)) fail_msg("%s", error.text);
+    return choice;
+}
+
+static void test_auto(void **state) {
+    (void)state;
+    static const double errors[] = {10, 3, 1, 0.3, 0.1};
+    Atmosphere atmosphere = atmosphere_preset(0)->atmosphere;
+    Error error;
+    for (double sun = 90; sun >= -9; sun -= 0.5) {
+        for (int i = 0; i < 5; i++) {
+            MethodChoice choice = choose(NULL, errors[i], sun, &atmosphere);
+            assert_true(bias_sky_percent(&choice, sun, &atmosphere) <= errors[i] / 3);
+            assert_true(strstr(choice.why, "a third of the error asked for") != NULL);
+        }
+        assert_string_not_equal(choose("auto", 10, sun, &atmosphere).text, choose(NULL, 0.1, sun, &atmosphere).text);
+    }
+    assert_false(choose(NULL, 10, 30, &atmosphere).table);
+    assert_true(choose(NULL, 0.1, 30, &atmosphere).table);
+
+    MethodChoice named = choose("table:gauss:5@20x30", 0.1, 30, &atmosphere);
+    assert_string_equal(named.text, "table:gauss:5@20x30");
+    assert_string_equal(named.why, "");
+
+    /* So many samples reach no less than their noise. */
+    AutoWish wish = {.samples = 64, .pixels = 1, .atmosphere = &atmosphere};
+    assert_true(fabs(auto_error_percent(&wish) - 1) < 1e-12);
+    wish.samples = 10000;
+    assert_true(fabs(auto_error_percent(&wish) - 0.1) < 1e-12);
+
+    /* Light: by the sky and the scene. */
+    MethodChoice light, sky = choose(NULL, 1, 30, &atmosphere);
+    wish.bounds = true;
+    assert_true(auto_light(&light, NULL, &sky, &wish, &error));
+    assert_string_equal(light.text, "control");
+    assert_true(auto_light(&light, "mis", &sky, &wish, &error));
+    assert_string_equal(light.text, "mis");
+    sky = choose(NULL, 10, 30, &atmosphere);
+    assert_true(auto_light(&light, "auto", &sky, &wish, &error));
+    assert_string_equal(light.text, "cosine");
+
+    /* What was not measured is not claimed. */
+    atmosphere.mie = 3;
+    MethodChoice choice = choose(NULL, 10, 30, &atmosphere);
+    assert_string_equal(choice.text, "table:gauss:12");
+    assert_true(isnan(bias_sky_percent(&choice, 30, &atmosphere)));
+    assert_true(isnan(bias_sky_percent(&choice, -13, &atmosphere_preset(0)->atmosphere)));
+}
+
+/* A table without a size takes the one that its sun needs; one with a size keeps it. */
+static void test_sizes(void **state) {
+    (void)state;
+    static const double moving[] = {60, 5, -4, -7, -9, -12, 30};
+    const Atmosphere *atmosphere = &atmosphere_preset(0)->atmosphere;
+    float directions[4] = {0, 1, 0, 0}, radiance[4];
+    Context context;
+    support_open(&context);
+    for (int k = 0; k < 2; k++) {
+        MethodChoice choice;
+        SkyProbe probe;
+        Error error;
+        assert_true(method_choose(&choice, METHOD_SKY, k ? "table:gauss:4@20x30" : "table:gauss:4", &error));
+        assert_true(sky_probe_create(&probe, &context, "glsl", &choice, atmosphere, &error));
+        for (size_t i = 0; i < sizeof moving / sizeof *moving; i++) {
+            SkyState sky = {*atmosphere, moving[i], 0};
+            assert_true(sky_probe_ask(&probe, &sky, directions, 1, radiance, &error));
+            print_message("sun %g: %dx%d\n", sky.sun_elevation_deg, probe.sky.columns, probe.sky.rows);
+            int columns = 20, rows = 30;
+            if (k == 0) bias_table_size(0.1, moving[i], atmosphere, &columns, &rows);
+            assert_int_equal(probe.sky.columns, columns);
+            assert_int_equal(probe.sky.rows, rows);
+            if (k == 0 && moving[i] >= 30) assert_int_equal(columns, 32);
+            if (k == 0 && moving[i] <= -9) assert_true(columns >= 128);
+        }
+        sky_probe_destroy(&probe);
+    }
+    context_close(&context);
+}
+
+static void test_names(void **state) {
+    (void)state;
+    static const char *const good[][2] = {{"table@64x96", "table:gauss:8@64x96"},
+                                          {"table:gauss:6@4x1024", "table:gauss:6@4x1024"},
+                                          {"table:gauss", "table:gauss:8"},
+                                          {"table:paper:16x4@8x9", "table:paper:16x4@8x9"}};
+    static const char *const bad[] = {"table@",     "table@3x8",      "table@8x1025",    "table:gauss:6@8x8x",
+                                      "table@8",    "table@-8x8",     "gauss:8@8x8",     "table:uniform@8x8",
+                                      "paper@8x8",  "table:table@8x8", "table@8x8:gauss", "uniform@8x8"};
+    MethodChoice choice;
+    Error error;
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        if (!method_choose(&choice, METHOD_SKY, good[i][0], &error)) fail_msg("%s", error.text);
+        assert_string_equal(choice.text, good[i][1]);
+    }
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        if (method_choose(&choice, METHOD_SKY, bad[i], &error)) fail_msg("%s is %s", bad[i], choice.text);
+        assert_int_equal(error.status, STATUS_USAGE);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_pictures), cmocka_unit_test(test_skies), cmocka_unit_test(test_auto),
+        cmocka_unit_test(test_sizes),    cmocka_unit_test(test_names),
+    };
+    return cmocka_run_group_tests_name("bias", tests, NULL, NULL);
+}
