@@ -25,13 +25,15 @@ static double rel_rmse_percent(const float *a, const float *b, int pixels) {
 }
 
 /* The scene under every sun by one sky: the same paths whatever the sky. */
-static void render_suns(const Context *context, const char *scene_path, const char *sky, Image pictures[SUNS]) {
+static void render_suns(const Context *context, const char *scene_path, const char *sky,
+                        Image pictures[SUNS]) {
     Scene scene;
     Renderer renderer;
     FilmCount count;
     Error error;
     if (!scene_read(&scene, scene_path, &error)) fail_msg("%s", error.text);
-    RenderParams params = {.scene = &scene, .library = "glsl", .sky = sky, .light = "cosine", .width = SIZE, .height = SIZE};
+    RenderParams params = {
+        .scene = &scene, .library = "glsl", .sky = sky, .light = "cosine", .width = SIZE, .height = SIZE};
     if (!renderer_create(&renderer, context, &params, &error)) fail_msg("%s", error.text);
     for (int s = 0; s < SUNS; s++) {
         SkyState state = {scene.atmosphere, suns[s], scene.sun_azimuth_deg};
@@ -44,12 +46,13 @@ static void render_suns(const Context *context, const char *scene_path, const ch
     scene_destroy(&scene);
 }
 
-/* No picture errs by more than is claimed; and the worse of two by a quarter of it at least, so that claims are no lazy bounds. */
+/* No picture errs by more than is claimed; and the worse of two by a quarter of it at least, so that claims
+ * are no lazy bounds. */
 static void test_pictures(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/crater.glsl", "scenes/materials.glsl"};
-    static const char *const methods[] = {"gauss:4", "gauss:6", "gauss:8", "paper:16x4", "table:gauss:12@16x48",
-                                          "table:gauss:12@16x192"};
+    static const char *const methods[] = {
+        "gauss:4", "gauss:6", "gauss:8", "paper:16x4", "table:gauss:12@16x48", "table:gauss:12@16x192"};
     enum { METHODS = sizeof methods / sizeof *methods };
     const Atmosphere *atmosphere = &atmosphere_preset(0)->atmosphere;
     double measured[METHODS][SUNS] = {{0}};
@@ -62,7 +65,8 @@ static void test_pictures(void **state) {
             Image pictures[SUNS];
             render_suns(&context, scenes[k], methods[m], pictures);
             for (int s = 0; s < SUNS; s++) {
-                measured[m][s] = fmax(measured[m][s], rel_rmse_percent(pictures[s].rgba, truth[s].rgba, SIZE * SIZE));
+                measured[m][s] =
+                    fmax(measured[m][s], rel_rmse_percent(pictures[s].rgba, truth[s].rgba, SIZE * SIZE));
                 image_free(&pictures[s]);
             }
         }
@@ -74,7 +78,8 @@ static void test_pictures(void **state) {
         assert_true(method_choose(&choice, METHOD_SKY, methods[m], &error));
         for (int s = 0; s < SUNS; s++) {
             double claimed = bias_sky_percent(&choice, suns[s], atmosphere), got = measured[m][s];
-            print_message("%-22s sun %4g: claimed %.4f %%, in pictures %.4f %%\n", methods[m], suns[s], claimed, got);
+            print_message("%-22s sun %4g: claimed %.4f %%, in pictures %.4f %%\n", methods[m], suns[s],
+                          claimed, got);
             assert_true(got <= claimed);
             assert_true(claimed <= 4 * got + 0.002);
         }
@@ -91,7 +96,8 @@ static void ask_sky(const Context *context, const char *method, const SkyState *
     Error error;
     bool below = state->atmosphere.observer_height_m > 1000;
     for (int i = 0; i < DIRECTIONS; i++) {
-        double low = below ? -1 : horizon, y = low + (1 - low) * (i + 0.5) / DIRECTIONS, azimuth = 2.39996323 * i;
+        double low = below ? -1 : horizon, y = low + (1 - low) * (i + 0.5) / DIRECTIONS,
+               azimuth = 2.39996323 * i;
         directions[4 * i] = (float)(sqrt(1 - y * y) * sin(azimuth));
         directions[4 * i + 1] = (float)y;
         directions[4 * i + 2] = (float)(sqrt(1 - y * y) * cos(azimuth));
@@ -123,8 +129,9 @@ static void test_skies(void **state) {
             ask_sky(&context, methods[m], &sky, got);
             double claimed = bias_sky_percent(&choice, sky.sun_elevation_deg, &sky.atmosphere);
             double measured = rel_rmse_percent(got, truth, DIRECTIONS);
-            print_message("%-22s sun %4g, %6g m, ozone %g: claimed %.4f %%, over the sky %.4f %%\n", methods[m], sky.sun_elevation_deg,
-                          sky.atmosphere.observer_height_m, sky.atmosphere.ozone, claimed, measured);
+            print_message("%-22s sun %4g, %6g m, ozone %g: claimed %.4f %%, over the sky %.4f %%\n",
+                          methods[m], sky.sun_elevation_deg, sky.atmosphere.observer_height_m,
+                          sky.atmosphere.ozone, claimed, measured);
             assert_true(measured <= claimed);
         }
     }
@@ -132,8 +139,11 @@ static void test_skies(void **state) {
 }
 
 static MethodChoice choose(const char *text, double error_percent, double sun, const Atmosphere *atmosphere) {
-    AutoWish wish = {
-        .error_percent = error_percent, .pixels = 512.0 * 512, .sun_elevation_deg = sun, .atmosphere = atmosphere, .bounds = true};
+    AutoWish wish = {.error_percent = error_percent,
+                     .pixels = 512.0 * 512,
+                     .sun_elevation_deg = sun,
+                     .atmosphere = atmosphere,
+                     .bounds = true};
     MethodChoice choice;
     Error error;
     if (!auto_sky(&choice, text, &wish, &error)) fail_msg("%s", error.text);
@@ -151,7 +161,8 @@ static void test_auto(void **state) {
             assert_true(bias_sky_percent(&choice, sun, &atmosphere) <= errors[i] / 3);
             assert_true(strstr(choice.why, "a third of the error asked for") != NULL);
         }
-        assert_string_not_equal(choose("auto", 10, sun, &atmosphere).text, choose(NULL, 0.1, sun, &atmosphere).text);
+        assert_string_not_equal(choose("auto", 10, sun, &atmosphere).text,
+                                choose(NULL, 0.1, sun, &atmosphere).text);
     }
     assert_false(choose(NULL, 10, 30, &atmosphere).table);
     assert_true(choose(NULL, 0.1, 30, &atmosphere).table);
@@ -221,9 +232,9 @@ static void test_names(void **state) {
                                           {"table:gauss:6@4x1024", "table:gauss:6@4x1024"},
                                           {"table:gauss", "table:gauss:8"},
                                           {"table:paper:16x4@8x9", "table:paper:16x4@8x9"}};
-    static const char *const bad[] = {"table@",     "table@3x8",      "table@8x1025",    "table:gauss:6@8x8x",
-                                      "table@8",    "table@-8x8",     "gauss:8@8x8",     "table:uniform@8x8",
-                                      "paper@8x8",  "table:table@8x8", "table@8x8:gauss", "uniform@8x8"};
+    static const char *const bad[] = {"table@",    "table@3x8",       "table@8x1025",    "table:gauss:6@8x8x",
+                                      "table@8",   "table@-8x8",      "gauss:8@8x8",     "table:uniform@8x8",
+                                      "paper@8x8", "table:table@8x8", "table@8x8:gauss", "uniform@8x8"};
     MethodChoice choice;
     Error error;
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {

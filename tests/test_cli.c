@@ -260,21 +260,28 @@ static void test_readme_scene(void **state) {
     text_free(&scene);
 }
 
-/* What auto takes: a table where many paths repay it, the direct method for few, and above the air. */
+/* What auto takes, and that it says why: by the error asked for and by the paths that repay a table. */
 static void test_auto(void **state) {
     (void)state;
     const char *out = support_path("auto.exr");
-    support_expect(0, "sky table:gauss:8, sun disk off, light control, sequence sobol",
-                   "render scenes/crater.glsl --spp 1 -v -o '%s'", out);
-    support_expect(0, "sky gauss:8, sun disk sampled, light cosine,",
+    support_expect(0, "auto took sky table:gauss:6@16x48: bias 0.",
+                   "render scenes/crater.glsl --size 256x256 --time 0.01 -v -o '%s'", out);
+    assert_non_null(strstr(support_err, "auto took light control: "));
+    support_expect(0, "auto took sky gauss:4: bias 2.",
+                   "render scenes/crater.glsl --size 256x256 --error 10 -v -o '%s'", out);
+    assert_non_null(strstr(support_err, "auto took light cosine: "));
+    support_expect(0, "auto took sky table:gauss:7@64x192: bias 0.0",
+                   "render scenes/crater.glsl --size 256x256 --error 0.1 --time 0.01 -v -o '%s'", out);
+    support_expect(
+        0, "sky table:gauss:5@9x30, sun disk off, light mis,",
+        "render scenes/crater.glsl --size 8x8 --spp 1 --sky table:gauss:5@9x30 --light mis -v -o '%s'", out);
+    assert_null(strstr(support_err, "auto took"));
+    support_expect(0, "sun disk sampled, light cosine,",
                    "render scenes/crater.glsl --size 64x64 --spp 1 --sun-disk -v -o '%s'", out);
     support_expect(0, "sun disk off,",
                    "render scenes/crater.glsl --size 8x8 --spp 1 --sun -1 --sun-disk -v -o '%s'", out);
     support_expect(0, "sun disk chance,",
                    "render scenes/crater.glsl --size 8x8 --spp 1 --sun-disk=chance -v -o '%s'", out);
-    support_expect(0, "sky gauss:8,",
-                   "render scenes/crater.glsl --spp 1 --set atmosphere.observer_height_m=7e4 -v -o '%s'",
-                   out);
     support_expect(0, "sky uniform:1,", "render scenes/furnace.glsl --size 8x8 --spp 1 -v -o '%s'", out);
 }
 
