@@ -164,15 +164,15 @@ static void test_auto(void **state) {
         assert_string_not_equal(choose("auto", 10, sun, &atmosphere).text,
                                 choose(NULL, 0.1, sun, &atmosphere).text);
     }
-    assert_false(choose(NULL, 10, 30, &atmosphere).table);
-    assert_true(choose(NULL, 0.1, 30, &atmosphere).table);
+    assert_string_equal(choose(NULL, 10, 30, &atmosphere).text, "table:gauss:4@16x48");
+    assert_string_equal(choose(NULL, 0.1, 30, &atmosphere).text, "table:gauss:7@64x192");
 
     MethodChoice named = choose("table:gauss:5@20x30", 0.1, 30, &atmosphere);
     assert_string_equal(named.text, "table:gauss:5@20x30");
     assert_string_equal(named.why, "");
 
     /* So many samples reach no less than their noise. */
-    AutoWish wish = {.samples = 64, .pixels = 1, .atmosphere = &atmosphere};
+    AutoWish wish = {.samples = 64, .pixels = 100, .sun_elevation_deg = 30, .atmosphere = &atmosphere};
     assert_true(fabs(auto_error_percent(&wish) - 1) < 1e-12);
     wish.samples = 10000;
     assert_true(fabs(auto_error_percent(&wish) - 0.1) < 1e-12);
@@ -184,7 +184,7 @@ static void test_auto(void **state) {
     assert_string_equal(light.text, "control");
     assert_true(auto_light(&light, "mis", &sky, &wish, &error));
     assert_string_equal(light.text, "mis");
-    sky = choose(NULL, 10, 30, &atmosphere);
+    assert_true(auto_sky(&sky, NULL, &wish, &error) && !sky.table); /* too few paths to repay a table */
     assert_true(auto_light(&light, "auto", &sky, &wish, &error));
     assert_string_equal(light.text, "cosine");
 
@@ -204,23 +204,23 @@ static void test_sizes(void **state) {
     float directions[4] = {0, 1, 0, 0}, radiance[4];
     Context context;
     support_open(&context);
-    for (int k = 0; k < 2; k++) {
-        MethodChoice choice;
+    for (int k = 0; k < 3; k++) {
+        static const char *const names[] = {"table:gauss:4", "table:gauss:4@20x30", "auto"};
+        MethodChoice choice = choose(names[k], 1, 60, atmosphere);
         SkyProbe probe;
         Error error;
-        assert_true(method_choose(&choice, METHOD_SKY, k ? "table:gauss:4@20x30" : "table:gauss:4", &error));
+        int sizes[7];
         assert_true(sky_probe_create(&probe, &context, "glsl", &choice, atmosphere, &error));
-        for (size_t i = 0; i < sizeof moving / sizeof *moving; i++) {
+        for (int i = 0; i < 7; i++) {
             SkyState sky = {*atmosphere, moving[i], 0};
             assert_true(sky_probe_ask(&probe, &sky, directions, 1, radiance, &error));
-            print_message("sun %g: %dx%d\n", sky.sun_elevation_deg, probe.sky.columns, probe.sky.rows);
-            int columns = 20, rows = 30;
-            if (k == 0) bias_table_size(0.1, moving[i], atmosphere, &columns, &rows);
-            assert_int_equal(probe.sky.columns, columns);
-            assert_int_equal(probe.sky.rows, rows);
-            if (k == 0 && moving[i] >= 30) assert_int_equal(columns, 32);
-            if (k == 0 && moving[i] <= -9) assert_true(columns >= 128);
+            print_message("%s, sun %g: %dx%d\n", choice.text, moving[i], probe.sky.columns, probe.sky.rows);
+            assert_int_equal(probe.sky.rows, k == 1 ? 30 : 3 * probe.sky.columns);
+            sizes[i] = probe.sky.columns;
         }
+        if (k == 1) assert_true(sizes[0] == 20 && sizes[5] == 20);
+        if (k == 0) assert_true(sizes[0] == 32 && sizes[2] == 64 && sizes[5] == 256 && sizes[6] == 32);
+        if (k == 2) assert_true(sizes[0] == choice.columns && sizes[0] == 16 && sizes[4] > 64);
         sky_probe_destroy(&probe);
     }
     context_close(&context);

@@ -268,7 +268,7 @@ static void test_auto(void **state) {
                    "render scenes/crater.glsl --size 256x256 --time 0.01 -v -o '%s'", out);
     assert_non_null(strstr(support_err, "auto took light control: "));
     support_expect(0, "auto took sky gauss:4: bias 2.",
-                   "render scenes/crater.glsl --size 256x256 --error 10 -v -o '%s'", out);
+                   "render scenes/crater.glsl --size 64x64 --error 10 -v -o '%s'", out);
     assert_non_null(strstr(support_err, "auto took light cosine: "));
     support_expect(0, "auto took sky table:gauss:7@64x192: bias 0.0",
                    "render scenes/crater.glsl --size 256x256 --error 0.1 --time 0.01 -v -o '%s'", out);

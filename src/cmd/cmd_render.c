@@ -177,6 +177,8 @@ static void describe(const Job *job, int argc, char **argv, AttributeList *list)
     attribute_add(list, "magichour.sun_disk", "%s, radius %.9g degrees", renderer->sun_disk.text,
                   scene->sun_radius_deg);
     attribute_add(list, "magichour.sky", "%s", renderer->sky.choice.text);
+    if (!isnan(renderer->sky_bias_percent))
+        attribute_add(list, "magichour.sky_bias_percent", "%.3g", renderer->sky_bias_percent);
     attribute_add(list, "magichour.light", "%s", renderer->light.text);
     attribute_add(list, "magichour.sequence", "%s", renderer->sequence.text);
     if (job->options->aov) attribute_add(list, "magichour.aov", "%s", job->options->aov);
@@ -243,6 +245,16 @@ static void say_choices(const Job *job) {
     fprintf(stderr, "compiled: %s\n", text_string(&renderer->source_files));
 }
 
+/* What the picture errs beside its noise. */
+static void say_bias(const Job *job) {
+    double percent = job->renderer.sky_bias_percent;
+    if (isnan(percent))
+        printf("; the sky's own error is not known here");
+    else if (percent > 0)
+        printf("; the sky's own at most %.2g %%", percent);
+    if (job->options->depth) printf("; what --depth cuts is in neither");
+}
+
 static void say_summary(const Job *job) {
     const ProgressFigures *figures = &job->figures;
     const Adaptive *adaptive = &job->adaptive;
@@ -258,6 +270,7 @@ static void say_summary(const Job *job) {
         printf("; estimated error %.3g %%%s", figures->error_percent,
                adaptive->noise.trim > 0 ? " without the 0.1 % worst pixels" : "");
     }
+    say_bias(job);
     printf("\n");
 }
 

@@ -7,18 +7,18 @@
 #include <string.h>
 
 /* A picture's noise after n samples is about 10 % / sqrt(n): the crater's and the materials' are. */
-static const double noise_of_one_percent = 10, default_error_percent = 1;
+static const double noise_of_one_sample = 10, default_error_percent = 1;
 
 double auto_error_percent(const AutoWish *wish) {
     if (wish->error_percent > 0) return wish->error_percent;
-    return wish->samples > 0 ? fmin(noise_of_one_percent / sqrt(wish->samples), default_error_percent)
+    return wish->samples > 0 ? fmin(noise_of_one_sample / sqrt(wish->samples), default_error_percent)
                              : default_error_percent;
 }
 
+/* No error is known before some 16 samples. */
 static double paths_of(const AutoWish *wish) {
-    double samples =
-        wish->samples > 0 ? wish->samples : pow(noise_of_one_percent / auto_error_percent(wish), 2);
-    return fmax(samples, 1) * wish->pixels;
+    double needed = pow(noise_of_one_sample / auto_error_percent(wish), 2);
+    return (wish->samples > 0 ? wish->samples : fmax(needed, 16)) * wish->pixels;
 }
 
 /* Seconds that a sky takes on two cores with llvmpipe, beside the picture's own: compiling, which goes with
@@ -81,6 +81,9 @@ static bool take_cheapest(MethodChoice *choice, const AutoWish *wish, Error *err
     }
     *choice = best->choice;
     say_why(choice, best, all, limit);
+    /* Should the sun move, the table takes what its nodes have left, so now that size. */
+    int of_nodes = (int)(best - all) / (1 + SIZES) * (1 + SIZES);
+    if (choice->table && best->bias <= limit) choice->table_percent = limit - all[of_nodes].bias;
     return true;
 }
 

@@ -225,16 +225,21 @@ static double table_percent(int columns, int rows, double sun, const Atmosphere 
     return figure(ROWS, sun, a) * pow(96.0 / rows, 2) + figure(COLUMNS, sun, a) * pow(32.0 / columns, 2);
 }
 
-void bias_table_size(double percent, double sun, const Atmosphere *a, int *columns, int *rows) {
-    for (*columns = 16; *columns < 256 && table_percent(*columns, 3 * *columns, sun, a) > percent;)
-        *columns *= 2;
+void bias_table_size(const MethodChoice *choice, double sun, const Atmosphere *a, int *columns, int *rows) {
+    *columns = choice->columns;
+    *rows = choice->rows;
+    if (!(choice->table_percent > 0)) return;
+    for (*columns = 16; *columns < 256; *columns *= 2) {
+        if (table_percent(*columns, 3 * *columns, sun, a) <= choice->table_percent) break;
+    }
     *rows = 3 * *columns;
 }
 
 double bias_sky_percent(const MethodChoice *choice, double sun, const Atmosphere *a) {
-    int columns = choice->columns, rows = choice->rows;
+    int columns, rows;
     if (!choice->method->integrates) return 0;
     if (!is_measured_air(a) || sun < suns_deg[SUNS - 1]) return NAN;
-    if (choice->table && !columns) bias_table_size(choice->table_percent, sun, a, &columns, &rows);
-    return nodes_percent(choice, sun, a) + (choice->table ? table_percent(columns, rows, sun, a) : 0);
+    if (!choice->table) return nodes_percent(choice, sun, a);
+    bias_table_size(choice, sun, a, &columns, &rows);
+    return nodes_percent(choice, sun, a) + table_percent(columns, rows, sun, a);
 }

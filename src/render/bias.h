@@ -10,7 +10,8 @@
  * degrees, paper with fewer steps than 16x4. */
 double bias_sky_percent(const MethodChoice *choice, double sun_elevation_deg, const Atmosphere *atmosphere);
 
-/* The smallest table, of those that double in both ways from 16x48 to 256x768, that adds no more than
- * `percent`; the largest where none is so good. */
-void bias_table_size(double percent, double sun_elevation_deg, const Atmosphere *atmosphere, int *columns,
-                     int *rows);
+/* The size of a table: as it was asked for; else by the sun, the smallest that adds no more than
+ * choice->table_percent, of those that double in both ways from 16x48 to 256x768, the largest where none is
+ * so good. */
+void bias_table_size(const MethodChoice *choice, double sun_elevation_deg, const Atmosphere *atmosphere,
+                     int *columns, int *rows);

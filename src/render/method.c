@@ -115,7 +115,7 @@ static bool parse_table(MethodChoice *choice, const char *text, Error *error) {
     choice->table = true;
     choice->columns = columns;
     choice->rows = rows;
-    choice->table_percent = default_table_percent;
+    choice->table_percent = size ? 0 : default_table_percent;
     snprintf(base, sizeof base, "%s", choice->text);
     snprintf(choice->text, sizeof choice->text, size ? "table:%.28s@%dx%d" : "table:%.28s", base, columns,
              rows);

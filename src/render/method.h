@@ -23,10 +23,10 @@ typedef struct Method {
 /* A method with its numbers. */
 typedef struct MethodChoice {
     const Method *method;
-    char text[48];     /* in full: "table:gauss:8" */
-    bool table;        /* a sky: `method` fills a table that is looked up */
-    int columns, rows; /* of the table's half above the horizon and of that below; 0 is by the sun, so that */
-    double table_percent; /* the table adds no more than this to the picture's error */
+    char text[48];        /* in full: "table:gauss:8" */
+    bool table;           /* a sky: `method` fills a table that is looked up */
+    int columns, rows;    /* of the table's half above the horizon and of that below */
+    double table_percent; /* where above 0, the size is by the sun: no more than this error is the table's */
     char why[200];        /* that auto took it; empty where it was asked for */
     int counts[2];        /* paper: N and M; gauss: nodes a segment */
     double level;         /* uniform: L */

@@ -132,10 +132,8 @@ static void set_all(const Sky *sky, const Program *program, const SkyState *stat
 static bool resize(Sky *sky, const SkyState *state, Error *error) {
     static const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     const GlApi *gl = sky->gl;
-    int columns = sky->choice.columns, rows = sky->choice.rows;
-    if (!columns)
-        bias_table_size(sky->choice.table_percent, state->sun_elevation_deg, &state->atmosphere, &columns,
-                        &rows);
+    int columns, rows;
+    bias_table_size(&sky->choice, state->sun_elevation_deg, &state->atmosphere, &columns, &rows);
     gl->BindFramebuffer(GL_FRAMEBUFFER, sky->framebuffer);
     if (columns == sky->columns && rows == sky->rows) return true;
     sky->columns = columns;
