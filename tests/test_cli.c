@@ -264,13 +264,13 @@ static void test_readme_scene(void **state) {
 static void test_auto(void **state) {
     (void)state;
     const char *out = support_path("auto.exr");
-    support_expect(0, "auto took sky table:gauss:6@16x48: bias 0.",
+    support_expect(0, "auto took sky table:gauss:6@32x96: bias 0.",
                    "render scenes/crater.glsl --size 256x256 --time 0.01 -v -o '%s'", out);
     assert_non_null(strstr(support_err, "auto took light control: "));
-    support_expect(0, "auto took sky gauss:4: bias 2.",
+    support_expect(0, "auto took sky gauss:4: bias 3.",
                    "render scenes/crater.glsl --size 64x64 --error 10 -v -o '%s'", out);
     assert_non_null(strstr(support_err, "auto took light cosine: "));
-    support_expect(0, "auto took sky table:gauss:7@64x192: bias 0.0",
+    support_expect(0, "auto took sky table:gauss:8@64x192: bias 0.0",
                    "render scenes/crater.glsl --size 256x256 --error 0.1 --time 0.01 -v -o '%s'", out);
     support_expect(
         0, "sky table:gauss:5@9x30, sun disk off, light mis,",

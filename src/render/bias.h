@@ -6,8 +6,8 @@
 #include "scene/atmosphere.h"
 
 /* Of a sky method, with its table if it has one: the larger of what was measured in pictures and over the
- * sky, and a tenth more. NAN where nothing was measured: an air that is unlike the presets', a sun below -12
- * degrees, paper with fewer steps than 16x4. */
+ * sky, and 0.4 more, as scenes differ. NAN where nothing was measured: an air that is unlike the presets', a
+ * sun below -12 degrees, paper with fewer steps than 16x4. */
 double bias_sky_percent(const MethodChoice *choice, double sun_elevation_deg, const Atmosphere *atmosphere);
 
 /* The size of a table: as it was asked for; else by the sun, the smallest that adds no more than
