@@ -93,9 +93,20 @@ static double wanted_error(const Options *options) {
     return options->samples || options->seconds > 0 ? 0 : default_error_percent;
 }
 
+/* The sky's, as far as it is known. */
+static double known_bias(const Job *job) {
+    return isnan(job->renderer.sky_bias_percent) ? 0 : job->renderer.sky_bias_percent;
+}
+
+/* What noise may be for noise and bias to make up the error together. A bias that is more than the error
+ * alone, of a sky that was asked for, stays out of it. */
+static double noise_left(double percent, double bias) {
+    return bias < percent ? sqrt(percent * percent - bias * bias) : percent;
+}
+
 static bool enough(const ProgressFigures *figures) {
     if (figures->target_samples && figures->samples >= (double)figures->target_samples) return true;
-    if (figures->target_error_percent > 0 && figures->error_percent <= figures->target_error_percent)
+    if (figures->target_error_percent > 0 && figures->noise_percent <= figures->target_noise_percent)
         return true;
     return figures->target_seconds > 0 && figures->seconds >= figures->target_seconds;
 }
@@ -103,11 +114,11 @@ static bool enough(const ProgressFigures *figures) {
 /* Towards less error than there is by now, if time is all that limits. */
 static bool sample(Job *job, Error *error) {
     const ProgressFigures *figures = &job->figures;
-    double percent = figures->target_error_percent;
+    double percent = figures->target_noise_percent;
     if (figures->target_samples)
         return adaptive_pass(&job->adaptive, &job->renderer, figures->target_samples, interrupt_requested,
                              error);
-    if (!(percent > 0)) percent = 0.7 * figures->error_percent;
+    if (!(percent > 0)) percent = 0.7 * figures->noise_percent;
     return adaptive_round(&job->adaptive, &job->renderer, percent, interrupt_requested, error);
 }
 
@@ -132,12 +143,13 @@ static bool render(Job *job, Error *error) {
     ProgressFigures *figures = &job->figures;
     Progress progress = progress_start(options);
     double pixels = (double)job->renderer.film.width * job->renderer.film.height;
-    double start = clock_seconds();
+    double bias = known_bias(job), start = clock_seconds();
     job->adaptive = adaptive_create(&job->renderer, job->renderer.sun.rectangle_count ? sun_trim : 0);
     figures->target_samples = options->samples;
     figures->target_seconds = options->seconds;
     figures->target_error_percent = wanted_error(options);
-    figures->error_percent = INFINITY;
+    figures->noise_percent = figures->error_percent = INFINITY;
+    figures->target_noise_percent = noise_left(figures->target_error_percent, bias);
     if (options->seconds > 0) job->adaptive.deadline = start + options->seconds;
     while (!enough(figures) && !interrupt_requested()) {
         if (!sample(job, error)) return false;
@@ -145,7 +157,8 @@ static bool render(Job *job, Error *error) {
         figures->samples = (double)figures->paths / pixels;
         if (!aov_pass(&job->aov, &job->renderer, (uint64_t)figures->samples, interrupt_requested, error))
             return false;
-        figures->error_percent = adaptive_percent(&job->adaptive);
+        figures->noise_percent = adaptive_percent(&job->adaptive);
+        figures->error_percent = hypot(figures->noise_percent, bias);
         figures->seconds = clock_seconds() - start;
         progress_report(&progress, figures);
     }
@@ -187,8 +200,10 @@ static void describe(const Job *job, int argc, char **argv, AttributeList *list)
     attribute_add(list, "magichour.samples", "%.6g", job->figures.samples);
     attribute_add(list, "magichour.samples_range", "%" PRIu64 " to %" PRIu64, job->adaptive.least,
                   job->adaptive.most);
-    if (job->figures.error_percent < INFINITY)
+    if (job->figures.error_percent < INFINITY) {
         attribute_add(list, "magichour.error_percent", "%.4g", job->figures.error_percent);
+        attribute_add(list, "magichour.noise_percent", "%.4g", job->figures.noise_percent);
+    }
     attribute_add(list, "magichour.rejected", "%" PRIu64, job->count.rejected);
     if (job->search.rays > 0) {
         attribute_add(list, "magichour.searches",
@@ -245,14 +260,21 @@ static void say_choices(const Job *job) {
     fprintf(stderr, "compiled: %s\n", text_string(&renderer->source_files));
 }
 
-/* What the picture errs beside its noise. */
-static void say_bias(const Job *job) {
-    double percent = job->renderer.sky_bias_percent;
-    if (isnan(percent))
-        printf("; the sky's own error is not known here");
-    else if (percent > 0)
-        printf("; the sky's own at most %.2g %%", percent);
-    if (job->options->depth) printf("; what --depth cuts is in neither");
+/* What the picture errs, and in what. */
+static void say_error(const Job *job) {
+    const ProgressFigures *figures = &job->figures;
+    double bias = job->renderer.sky_bias_percent;
+    if (figures->error_percent < INFINITY) {
+        printf("; estimated error %.3g %%%s: noise %.3g %%", figures->error_percent,
+               job->adaptive.noise.trim > 0 ? " without the 0.1 % worst pixels" : "", figures->noise_percent);
+    }
+    if (isnan(bias))
+        printf("; the sky's bias is not known here");
+    else if (bias > 0)
+        printf("%s sky %.2g %% at most", figures->error_percent < INFINITY ? "," : ";", bias);
+    if (job->options->depth) printf("; without what --depth cuts");
+    if (bias > figures->target_error_percent && figures->target_error_percent > 0)
+        printf("; such a sky errs more than was asked for");
 }
 
 static void say_summary(const Job *job) {
@@ -266,11 +288,7 @@ static void say_summary(const Job *job) {
     printf(", %.4g Mpaths in %.2f s, %.2f Mpaths/s (and %.2f s to start)", 1e-6 * (double)figures->paths,
            figures->seconds, 1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9),
            figures->startup_seconds);
-    if (figures->error_percent < INFINITY) {
-        printf("; estimated error %.3g %%%s", figures->error_percent,
-               adaptive->noise.trim > 0 ? " without the 0.1 % worst pixels" : "");
-    }
-    say_bias(job);
+    say_error(job);
     printf("\n");
 }
 

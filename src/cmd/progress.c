@@ -59,7 +59,8 @@ static void report_json(const ProgressFigures *figures) {
             figures->done ? "true" : "false", figures->samples, figures->paths, figures->seconds,
             figures->startup_seconds, (double)figures->paths / fmax(figures->seconds, 1e-9));
     if (figures->error_percent < INFINITY)
-        fprintf(stderr, ", \"error_percent\": %.4g", figures->error_percent);
+        fprintf(stderr, ", \"error_percent\": %.4g, \"noise_percent\": %.4g", figures->error_percent,
+                figures->noise_percent);
     if (figures->done) {
         fprintf(stderr, ", \"rejected\": %" PRIu64 ", \"interrupted\": %s", figures->rejected,
                 figures->interrupted ? "true" : "false");

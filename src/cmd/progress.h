@@ -18,6 +18,8 @@ typedef struct ProgressFigures {
     double samples;          /* mean of the pixels' */
     uint64_t target_samples; /* 0 if something else limits */
     uint64_t paths;
+    double noise_percent; /* of error_percent, and its goal; the rest is the sky's bias */
+    double target_noise_percent;
     double error_percent,
         target_error_percent;       /* estimated relRMSE, infinite while it is not known; target 0 is none */
     double seconds, target_seconds; /* target 0 if something else limits */
