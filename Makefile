@@ -4,7 +4,7 @@
 MODE ?= release
 PREFIX ?= /usr/local
 BUILD := $(if $(filter release,$(MODE)),build,build/$(MODE))
-PKGS := OpenEXR libpng glfw3
+PKGS := OpenEXR libpng glfw3 imgui
 
 CC ?= cc
 ifeq ($(MODE),asan)
@@ -21,8 +21,8 @@ ALL_CXXFLAGS = -std=c++20 -Wall -Wextra -ffp-contract=off $(CXXFLAGS) $(SANITIZE
 LDFLAGS += $(if $(KEEP),-rdynamic)
 LDLIBS = $(shell pkg-config --libs $(PKGS)) -ldl -lm
 
-SOURCES := $(sort $(wildcard src/*.c src/*/*.c))
-OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
+SOURCES := $(sort $(wildcard src/*.c src/*/*.c src/*/*.cpp))
+OBJECTS := $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(SOURCES))))
 BASE := $(filter $(BUILD)/src/base/%,$(OBJECTS))
 LIBRARY := $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 TESTS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_*.c))
@@ -37,15 +37,13 @@ all: $(BUILD)/magichour
 
 $(BUILD)/magichour: $(OBJECTS) $(KEEP)
 	@echo link $@
-	@$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	@$(CXX) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(SUPPORT) $(LIBRARY) $(KEEP)
 	@echo link $@
-	@$(LINK) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+	@$(CXX) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
 
 # The tests that ask the oracle: each of its cases is flattened and compiled, at float and at double.
-LINK = $(CC)
-$(BUILD)/tests/test_oracle: LINK = $(CXX)
 $(BUILD)/tests/test_oracle: $(ORACLE)
 
 $(BUILD)/tests/oracle/flatten: $(addprefix $(BUILD)/,tests/oracle/flatten.o src/scene/glsl_source.o) $(BASE) $(KEEP)
@@ -67,6 +65,12 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	@echo compile $<
 	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
+
+# The window's overlay is the host's one part in C++.
+$(BUILD)/src/%.o: src/%.cpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	@echo compile $<
+	@$(CXX) $(CPPFLAGS) $(ALL_CXXFLAGS) $(shell pkg-config --cflags $(PKGS)) -MMD -MP -c -o $@ $<
 
 # Changed flags rebuild everything.
 FLAGS = $(CC) $(CPPFLAGS) $(ALL_CFLAGS) $(LDFLAGS) $(CXX) $(ALL_CXXFLAGS)
@@ -112,7 +116,7 @@ lint:
 	tools/lint.sh
 
 format:
-	clang-format -i $$(git ls-files '*.c' '*.h' '*.hpp')
+	clang-format -i $$(git ls-files '*.c' '*.h' '*.hpp' 'src/*.cpp')
 
 deps:
 	tools/deps.sh build test lint

@@ -1,5 +1,5 @@
+#include "base/version.h"
 #include "cmd/cmd.h"
-#include "cmd/setup.h"
 
 #include <stdio.h>
 
@@ -7,6 +7,8 @@ static Status run(const Options *options, int argc, char **argv, Error *error) {
     switch (options->command) {
     case COMMAND_RENDER:
         return cmd_render(options, argc, argv, error);
+    case COMMAND_VIEW:
+        return cmd_view(options, error);
     case COMMAND_COMPARE:
         return cmd_compare(options, error);
     case COMMAND_INFO:

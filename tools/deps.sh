@@ -3,10 +3,10 @@
 # Says what it installs; needs nothing and does nothing when all is there.
 set -eu
 
-# build: the compiler, the window and picture libraries, and an OpenGL that runs on any machine (Mesa's llvmpipe).
-build="gcc make pkg-config libc6-dev libgl-dev libegl-dev libglfw3-dev libopenexr-dev libpng-dev libegl1 libgl1-mesa-dri"
-# test: the test framework, a display for the hidden-window backend, and C++ with GLM for the oracle.
-test="libcmocka-dev xvfb xauth g++ libglm-dev"
+# build: the compilers, the window and picture libraries, and an OpenGL that runs on any machine (Mesa's llvmpipe).
+build="gcc g++ make pkg-config libc6-dev libgl-dev libegl-dev libglfw3-dev libimgui-dev libopenexr-dev libpng-dev libegl1 libgl1-mesa-dri"
+# test: the test framework, a display for the windows and hands for them, and GLM for the oracle.
+test="libcmocka-dev xvfb xauth xdotool libglm-dev"
 lint="clang-format glslang-tools git"
 atlas="gnuplot-nox fonts-dejavu-core"
 # Used where the system still has it; without it the other backends do the work.

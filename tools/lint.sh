@@ -5,15 +5,16 @@ cd "$(dirname "$0")/.."
 failed=0
 
 echo "lint: clang-format"
-git ls-files '*.c' '*.h' '*.hpp' | xargs clang-format --dry-run -Werror || failed=1
+git ls-files '*.c' '*.h' '*.hpp' 'src/*.cpp' | xargs clang-format --dry-run -Werror || failed=1
 
 # src/ is layered: a file includes from its own folder and from folders before it in this list.
 echo "lint: upward includes"
-layers="base image scene gl render cmd"
+layers="base image scene gl render view cmd"
 allowed=""
 for layer in $layers; do
     allowed="$allowed $layer"
-    for file in src/"$layer"/*.[ch]; do
+    for file in src/"$layer"/*.[ch] src/"$layer"/*.cpp; do
+        [ -f "$file" ] || continue
         for included in $(sed -n 's|^#include "\([a-z]*\)/.*|\1|p' "$file"); do
             case " $allowed " in
             *" $included "*) ;;

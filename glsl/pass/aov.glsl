@@ -3,6 +3,7 @@
 // of samples for each pixel, added to the sums so far.
 #include "scene.glsl"
 #include <sequence>
+#include <inputs>
 #include <scene>
 #include <spheres>
 #include "light/lambert.glsl"

@@ -1,6 +1,7 @@
 #version 330 core
 // The spheres that a scene makes itself, one a texel.
 #include "scene.glsl"
+#include <inputs>
 #include <scene>
 #include "light/lambert.glsl"
 #include "pass/spheres.glsl"

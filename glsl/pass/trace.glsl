@@ -3,6 +3,7 @@
 #include "scene.glsl"
 #include <sequence>
 #include <sky>
+#include <inputs>
 #include <scene>
 #include <spheres>
 #include <bounds>

@@ -12,6 +12,8 @@ static const struct {
     int min_inputs, max_inputs;
 } commands[] = {
     {COMMAND_RENDER, "render", "render SCENE -o FILE [options]", "render a scene offscreen", 1, 1},
+    {COMMAND_VIEW, "view", "view SCENE [options]", "a window: move the sun and the camera, edit the scene", 1,
+     1},
     {COMMAND_SKY, "sky", "sky -o FILE | --at FILE.csv [options]",
      "the sky alone: a lat-long map, or listed directions", 0, 0},
     {COMMAND_COMPARE, "compare", "compare A B [options]", "errors of picture A against the reference B", 2,
@@ -170,37 +172,51 @@ typedef struct Option {
 #define FLAG(name, commands, member, help)                                                                   \
     { name, NULL, commands, KIND_FLAG, NULL, offsetof(Options, member), help }
 
-enum { R = COMMAND_RENDER, C = COMMAND_COMPARE, I = COMMAND_INFO, F = COMMAND_FLATTEN, S = COMMAND_SKY };
+enum {
+    R = COMMAND_RENDER,
+    V = COMMAND_VIEW,
+    C = COMMAND_COMPARE,
+    I = COMMAND_INFO,
+    F = COMMAND_FLATTEN,
+    S = COMMAND_SKY
+};
 
 static const Option table[] = {
     TAKE("-o", "FILE", R | S, take_output, "write the picture: .exr, .png or .pfm; may be repeated"),
-    TAKE("--size", "WxH", R | S, take_size, "picture size in pixels; the scene's by default"),
-    TAKE("--sun", "EL[,AZ]", R | S, take_sun, "the sun's elevation and azimuth (from +z toward +x), degrees"),
-    STRING("--preset", "NAME", R | F, preset, "one of the scene's presets"),
-    STRING("--atmosphere", "NAME", R | S | F | I, atmosphere, "a preset of the atmosphere (see info)"),
-    TAKE("--set", "NAME=VALUE", R | S | F | I, take_setting,
+    TAKE("--size", "WxH", R | V | S, take_size, "picture size in pixels; the scene's by default"),
+    TAKE("--sun", "EL[,AZ]", R | V | S, take_sun,
+         "the sun's elevation and azimuth (from +z toward +x), degrees"),
+    STRING("--preset", "NAME", R | V | F, preset, "one of the scene's presets"),
+    STRING("--atmosphere", "NAME", R | V | S | F | I, atmosphere, "a preset of the atmosphere (see info)"),
+    TAKE("--set", "NAME=VALUE", R | V | S | F | I, take_setting,
          "a scene's parameter, sun.elevation, atmosphere.mie_g, ...; may be repeated"),
-    STRING("--sky", "METHOD", R | F | S, sky, "table[:METHOD], gauss[:n], paper[:NxM] or uniform[:L]"),
-    STRING("--light", "METHOD", R | F, light,
+    STRING("--sky", "METHOD", R | V | F | S, sky, "table[:METHOD], gauss[:n], paper[:NxM] or uniform[:L]"),
+    STRING("--light", "METHOD", R | V | F, light,
            "control, cosine, mis or paper; control where the sky is a table and the scene has bounds, else "
            "cosine"),
-    STRING("--sequence", "METHOD", R | F, sequence, "sobol, additive or random; sobol by default"),
+    STRING("--sequence", "METHOD", R | V | F, sequence, "sobol, additive or random; sobol by default"),
     TAKE("--error", "PERCENT", R, take_error,
          "stop when the estimated relRMSE is this; 1 by default, unless --spp or --time is given"),
     TAKE("--time", "SECONDS", R, take_seconds, "stop after this time, with whole groups of samples"),
     TAKE("--spp", "N", R, take_samples, "take so many samples of every pixel"),
-    TAKE("--seed", "N", R, take_seed, "of all random numbers; 0 by default"),
-    TAKE("--depth", "N", R, take_depth, "at most N surface hits; 0, the default, is unlimited"),
-    TAKE("--exposure", "EV", R | S, take_exposure, "for .png: radiance times 2^EV; the scene's by default"),
+    TAKE("--spp", "N", V, take_samples,
+         "samples per pixel, after which the picture rests; a million by default"),
+    STRING("--record", "DIR", V, record,
+           "plays a day into DIR/frame-00001.png ..., 64 samples each if --spp is not given"),
+    TAKE("--seed", "N", R | V, take_seed, "of all random numbers; 0 by default"),
+    TAKE("--depth", "N", R | V, take_depth, "at most N surface hits; 0, the default, is unlimited"),
+    TAKE("--exposure", "EV", R | V | S, take_exposure,
+         "for .png: radiance times 2^EV; the scene's by default"),
     TAKE("--tone", "CURVE", R | S, take_tone, "for .png: author or none; author by default"),
     STRING("--backend", "NAME", R | I | S, backend, "auto, egl, osmesa or glfw"),
-    STRING("--glsl-dir", "DIR", R | I | F | S, glsl_dir,
+    STRING("--glsl-dir", "DIR", R | V | I | F | S, glsl_dir,
            "the GLSL library, in place of the one beside the program"),
     STRING("--aov", "LIST", R, aov, "layers of .exr, some of albedo,normal,depth,samples,variance"),
-    TAKE("--progress", "KIND", R, take_progress, "tty, json or none; tty on a terminal, else none"),
+    TAKE("--progress", "KIND", R | V, take_progress,
+         "tty, json or none; tty on a terminal, else none (view: json or none)"),
     STRING("--at", "FILE.csv", S, at,
            "radiances for rows height_m,sun_el_deg,view_el_deg,az_deg (azimuth from the sun's), as CSV"),
-    OPTIONAL("--sun-disk", "[=METHOD]", R | F | S, sun_disk,
+    OPTIONAL("--sun-disk", "[=METHOD]", R | V | F | S, sun_disk,
              "the sun itself, 0.2666 degrees in radius: sampled, chance or off; on if a scene says so"),
     FLAG("--quiet", R | S, quiet, "no summary, no progress"),
     FLAG("-v", R, verbose, "say what is chosen and why"),
@@ -209,7 +225,7 @@ static const Option table[] = {
     STRING("--se", "FILE", C, standard_error,
            "standard errors of the difference: prints mean z^2 and the share of |z| > 4"),
     STRING("--mask", "FILE", C, mask, "compare only where this picture's red is above 0.5"),
-    FLAG("--help", R | C | I | F | S, help, "this text"),
+    FLAG("--help", R | V | C | I | F | S, help, "this text"),
 };
 enum { TABLE = sizeof table / sizeof *table };
 

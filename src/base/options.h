@@ -12,7 +12,8 @@ typedef enum Command {
     COMMAND_COMPARE = 1 << 1,
     COMMAND_INFO = 1 << 2,
     COMMAND_FLATTEN = 1 << 3,
-    COMMAND_SKY = 1 << 4
+    COMMAND_SKY = 1 << 4,
+    COMMAND_VIEW = 1 << 5
 } Command;
 
 /* Absent options are NULL, 0 or false, unless said otherwise. Strings are argv's own. */
@@ -37,6 +38,7 @@ typedef struct Options {
     bool has_exposure;
     double exposure_ev;
     const char *tone, *progress, *at;
+    const char *record;   /* folder */
     const char *aov;      /* "albedo,depth" */
     const char *sun_disk; /* the method that finds the sun's disk */
     bool quiet, verbose;

@@ -1,3 +1,4 @@
+#include "base/version.h"
 #include "cmd/cmd.h"
 #include "cmd/setup.h"
 #include "gl/context.h"

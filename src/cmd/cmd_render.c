@@ -1,5 +1,6 @@
 #include "base/clock.h"
 #include "base/file.h"
+#include "base/version.h"
 #include "cmd/cmd.h"
 #include "cmd/interrupt.h"
 #include "cmd/progress.h"
@@ -7,6 +8,7 @@
 #include "image/image.h"
 #include "render/adaptive.h"
 #include "render/aov.h"
+#include "render/describe.h"
 #include "render/renderer.h"
 
 #include <inttypes.h>
@@ -178,25 +180,12 @@ static bool render(Job *job, Error *error) {
 
 /* The metadata: enough to make the picture again. */
 static void describe(const Job *job, int argc, char **argv, AttributeList *list) {
-    const Scene *scene = &job->scene;
-    const Renderer *renderer = &job->renderer;
     Text command = {0};
     for (int i = 0; i < argc; i++) text_print(&command, "%s%s", i ? " " : "", argv[i]);
     attribute_add(list, "magichour.version", "%s", MAGICHOUR_VERSION);
     attribute_add(list, "magichour.command", "%s", text_string(&command));
-    attribute_add(list, "magichour.scene", "%s", scene->path);
-    attribute_add(list, "magichour.sun", "elevation %.9g azimuth %.9g", scene->sun_elevation_deg,
-                  scene->sun_azimuth_deg);
-    attribute_add(list, "magichour.sun_disk", "%s, radius %.9g degrees", renderer->sun_disk.text,
-                  scene->sun_radius_deg);
-    attribute_add(list, "magichour.sky", "%s", renderer->sky.choice.text);
-    if (!isnan(renderer->sky_bias_percent))
-        attribute_add(list, "magichour.sky_bias_percent", "%.3g", renderer->sky_bias_percent);
-    attribute_add(list, "magichour.light", "%s", renderer->light.text);
-    attribute_add(list, "magichour.sequence", "%s", renderer->sequence.text);
     if (job->options->aov) attribute_add(list, "magichour.aov", "%s", job->options->aov);
     attribute_add(list, "magichour.depth", "%d", job->options->depth);
-    attribute_add(list, "magichour.seed", "%u", renderer->seed);
     attribute_add(list, "magichour.samples", "%.6g", job->figures.samples);
     attribute_add(list, "magichour.samples_range", "%" PRIu64 " to %" PRIu64, job->adaptive.least,
                   job->adaptive.most);
@@ -212,15 +201,7 @@ static void describe(const Job *job, int argc, char **argv, AttributeList *list)
                       job->search.cut);
     }
     attribute_add(list, "magichour.seconds", "%.6f", job->figures.seconds);
-    attribute_add(list, "magichour.backend", "%s, %s", job->context.backend->name, job->context.detail);
-    attribute_add(list, "magichour.gl_renderer", "%s", job->context.renderer);
-    attribute_add(list, "magichour.gl_version", "%s", job->context.version);
-    for (int i = 0; i < scene->parameter_count; i++) {
-        const Parameter *parameter = &scene->parameters[i];
-        const double *value = parameter->value;
-        setup_describe_value(list, "set", parameter->name, value, parameter->type == PARAMETER_COLOR ? 3 : 1);
-    }
-    setup_describe_atmosphere(&scene->atmosphere, list);
+    describe_picture(list, &job->scene, &job->renderer, &job->context);
     text_free(&command);
 }
 

@@ -1,9 +1,11 @@
 #include "base/file.h"
+#include "base/version.h"
 #include "cmd/cmd.h"
 #include "cmd/setup.h"
 #include "cmd/sky_rows.h"
 #include "image/image.h"
 #include "render/auto.h"
+#include "render/describe.h"
 #include "render/sky_probe.h"
 #include "render/sky_reference.h"
 #include "render/sun.h"
@@ -98,7 +100,7 @@ static bool write_map(const Job *job, const Image *image, int argc, char **argv,
     attribute_add(&list, "magichour.sky", "%s", job->method);
     attribute_add(&list, "magichour.sun", "elevation %.9g azimuth %.9g (from +z toward +x)",
                   job->scene.sun_elevation_deg, job->scene.sun_azimuth_deg);
-    setup_describe_atmosphere(&job->scene.atmosphere, &list);
+    describe_atmosphere(&job->scene.atmosphere, &list);
     bool none = job->options->tone && strcmp(job->options->tone, "none") == 0;
     ImageWriteParams params = {.exposure_ev = job->scene.exposure_ev,
                                .tone = none ? TONE_NONE : TONE_AUTHOR,

@@ -70,22 +70,3 @@ fail:
     scene_destroy(scene);
     return false;
 }
-
-void setup_describe_value(AttributeList *list, const char *group, const char *name, const double *value,
-                          int count) {
-    char full[96];
-    snprintf(full, sizeof full, "magichour.%s.%s", group, name);
-    if (count == 3) {
-        attribute_add(list, full, "%.9g,%.9g,%.9g", value[0], value[1], value[2]);
-    } else {
-        attribute_add(list, full, "%.9g", value[0]);
-    }
-}
-
-void setup_describe_atmosphere(const Atmosphere *atmosphere, AttributeList *list) {
-    for (int i = 0; atmosphere_field(i); i++) {
-        const AtmosphereField *field = atmosphere_field(i);
-        setup_describe_value(list, "atmosphere", field->name, atmosphere_value(atmosphere, field),
-                             field->count);
-    }
-}

@@ -41,6 +41,14 @@ static bool open_backend(Context *context, const Backend *backend, Error *error)
     return false;
 }
 
+bool context_adopt(Context *context, GlProc (*getproc)(const char *), Error *error) {
+    *context = (Context){0};
+    if (gl_api_load(&context->gl, getproc, error) && describe(context, error)) return true;
+    error->status = STATUS_NO_GL;
+    context_close(context);
+    return false;
+}
+
 bool context_open(Context *context, const char *name, Error *error) {
     bool automatic = !name || strcmp(name, "auto") == 0;
     Text known = {0}, reasons = {0};

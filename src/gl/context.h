@@ -29,6 +29,10 @@ struct Context {
 /* `name` is "auto" (NULL also) or a backend's. STATUS_NO_GL names every reason; STATUS_USAGE an unknown name.
  */
 MUST_CHECK bool context_open(Context *context, const char *name, Error *error);
+
+/* For a context that the caller has made and made current, a window's: fills the table and describes it. To
+ * be closed by context_close before the caller destroys it. */
+MUST_CHECK bool context_adopt(Context *context, GlProc (*getproc)(const char *), Error *error);
 void context_close(Context *context);
 
 /* The table, in the order in which auto tries it; NULL past the end. */

@@ -102,3 +102,19 @@ bool film_read_search(const Film *film, FilmSearch *search, Error *error) {
     *search = (FilmSearch){sums[0], sums[1], sums[2], sums[3]};
     return ok;
 }
+
+bool film_read_pixel(const Film *film, int x, int y, FilmPixel *pixel, Error *error) {
+    float sum[4], rest[4], scatter[4];
+    if (!target_read_pixel(&film->target, SUM, x, y, sum, error) ||
+        !target_read_pixel(&film->target, REST, x, y, rest, error) ||
+        !target_read_pixel(&film->target, SCATTER, x, y, scatter, error)) {
+        return false;
+    }
+    double samples = (double)sum[3], groups = (double)scatter[3];
+    *pixel = (FilmPixel){.samples = samples};
+    for (int c = 0; c < 3; c++) {
+        pixel->radiance[c] = samples > 0 ? ((double)sum[c] + (double)rest[c]) / samples : 0;
+        pixel->variance[c] = groups >= 2 ? (double)scatter[c] / (groups - 1) / samples : NAN;
+    }
+    return true;
+}

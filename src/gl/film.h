@@ -74,3 +74,12 @@ MUST_CHECK bool film_read_variance(const Film *film, float *rgb, Error *error);
 
 /* All zero for a film without `search`. */
 MUST_CHECK bool film_read_search(const Film *film, FilmSearch *search, Error *error);
+
+/* What a film with `scatter` knows of one pixel. */
+typedef struct FilmPixel {
+    double radiance[3]; /* the mean */
+    double samples;     /* accepted */
+    double variance[3]; /* of the mean, as film_read_variance() has it */
+} FilmPixel;
+
+MUST_CHECK bool film_read_pixel(const Film *film, int x, int y, FilmPixel *pixel, Error *error);

@@ -54,6 +54,7 @@
     X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                         \
     X(PFNGLUNIFORM1UIPROC, Uniform1ui)                                                                       \
     X(PFNGLUNIFORM3FPROC, Uniform3f)                                                                         \
+    X(PFNGLUNIFORM4FPROC, Uniform4f)                                                                         \
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                                                       \
     X(PFNGLVIEWPORTPROC, Viewport)
 

@@ -105,6 +105,11 @@ void program_set_vec3(const Program *program, const char *name, const double val
     program->gl->Uniform3f(locate(program, name), (float)value[0], (float)value[1], (float)value[2]);
 }
 
+void program_set_vec4(const Program *program, const char *name, const double value[4]) {
+    program->gl->Uniform4f(locate(program, name), (float)value[0], (float)value[1], (float)value[2],
+                           (float)value[3]);
+}
+
 void program_draw(const Program *program, int x, int y, int width, int height) {
     program->gl->Enable(GL_SCISSOR_TEST);
     program->gl->Scissor(x, y, width, height);

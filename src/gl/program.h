@@ -24,6 +24,7 @@ void program_set_uint(const Program *program, const char *name, unsigned value);
 void program_set_floats(const Program *program, const char *name, const double *values,
                         int count); /* float name[count] */
 void program_set_vec3(const Program *program, const char *name, const double value[3]);
+void program_set_vec4(const Program *program, const char *name, const double value[4]);
 
 /* Draws the triangle on the bound framebuffer's pixels [x, x + width) x [y, y + height). */
 void program_draw(const Program *program, int x, int y, int width, int height);

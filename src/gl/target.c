@@ -95,11 +95,21 @@ void target_swap(Target *target) {
     target->front = 1 - target->front;
 }
 
-bool target_read(const Target *target, int i, float *rgba, Error *error) {
+static bool read_rectangle(const Target *target, int i, const int rectangle[4], float *rgba, Error *error) {
     const GlApi *gl = target->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer[target->front]);
     gl->ReadBuffer(GL_COLOR_ATTACHMENT0 + (GLenum)i);
     gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl->ReadPixels(0, 0, target->width, target->height, GL_RGBA, GL_FLOAT, rgba);
+    gl->ReadPixels(rectangle[0], rectangle[1], rectangle[2], rectangle[3], GL_RGBA, GL_FLOAT, rgba);
     return gl_check(gl, "reading a picture back", error);
+}
+
+bool target_read(const Target *target, int i, float *rgba, Error *error) {
+    const int all[4] = {0, 0, target->width, target->height};
+    return read_rectangle(target, i, all, rgba, error);
+}
+
+bool target_read_pixel(const Target *target, int i, int x, int y, float rgba[4], Error *error) {
+    const int pixel[4] = {x, y, 1, 1};
+    return read_rectangle(target, i, pixel, rgba, error);
 }

@@ -35,3 +35,6 @@ void target_swap(Target *target);
 
 /* The front's texture i: 4 floats a texel, row 0 first. */
 MUST_CHECK bool target_read(const Target *target, int i, float *rgba, Error *error);
+
+/* The front's texture i at one pixel. */
+MUST_CHECK bool target_read_pixel(const Target *target, int i, int x, int y, float rgba[4], Error *error);

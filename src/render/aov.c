@@ -1,6 +1,7 @@
 #include "render/aov.h"
 
 #include "base/text.h"
+#include "render/inputs.h"
 #include "render/strips.h"
 
 #include <stdlib.h>
@@ -52,15 +53,29 @@ bool aov_parse(const char *list, unsigned *kinds, Error *error) {
 
 static bool create_program(Program *program, const Context *context, const RenderParams *params,
                            const Renderer *renderer, Error *error) {
+    Text inputs = {0};
+    inputs_declare(renderer->inputs, &inputs);
     GlslSlot slots[] = {{"sequence", renderer->sequence.method->file, NULL},
+                        {"inputs", NULL, text_string(&inputs)},
                         {"scene", params->scene->path, NULL},
                         {"spheres", spheres_slot(params->scene), NULL},
                         {NULL, NULL, NULL}};
     GlslSource source;
-    if (!glsl_source_create(&source, params->library, "pass/aov.glsl", slots, error)) return false;
-    bool ok = program_create(program, &context->gl, &source, error);
+    bool ok = glsl_source_create(&source, params->library, "pass/aov.glsl", slots, error);
+    if (ok) ok = program_create(program, &context->gl, &source, error);
     glsl_source_destroy(&source);
+    text_free(&inputs);
     return ok;
+}
+
+static bool tell(const Aov *aov, const RenderParams *params, const Renderer *renderer, Error *error) {
+    program_use(&aov->program);
+    camera_set(&renderer->camera, &aov->program);
+    inputs_set(&aov->program, params->scene, renderer->camera.width, renderer->camera.height);
+    spheres_use(&renderer->spheres, &aov->program);
+    renderer_set_parameters(&aov->program, params->scene);
+    program_set_uint(&aov->program, "seed", renderer->seed);
+    return gl_check(aov->program.gl, "setting up --aov", error);
 }
 
 bool aov_create(Aov *aov, unsigned kinds, const Context *context, const RenderParams *params,
@@ -72,15 +87,24 @@ bool aov_create(Aov *aov, unsigned kinds, const Context *context, const RenderPa
         !target_create(&aov->target, context, camera->width, camera->height, 3, error)) {
         goto fail;
     }
-    program_use(&aov->program);
-    camera_set(camera, &aov->program);
-    spheres_use(&renderer->spheres, &aov->program);
-    renderer_set_parameters(&aov->program, params->scene);
-    program_set_uint(&aov->program, "seed", renderer->seed);
-    if (gl_check(&context->gl, "setting up --aov", error)) return true;
+    if (tell(aov, params, renderer, error)) return true;
 fail:
     aov_destroy(aov);
     return false;
+}
+
+bool aov_restart(Aov *aov, const Context *context, const RenderParams *params, const Renderer *renderer,
+                 Error *error) {
+    const Camera *camera = &renderer->camera;
+    Target *target = &aov->target;
+    aov->samples = 0;
+    if (camera->width == target->width && camera->height == target->height) {
+        target_clear(target);
+    } else {
+        target_destroy(target);
+        if (!target_create(target, context, camera->width, camera->height, 3, error)) return false;
+    }
+    return tell(aov, params, renderer, error);
 }
 
 void aov_destroy(Aov *aov) {
@@ -89,15 +113,19 @@ void aov_destroy(Aov *aov) {
     *aov = (Aov){0};
 }
 
-/* False when stopped: then the group never was. */
-static bool add_group(Aov *aov, unsigned group, bool (*stop)(void)) {
+static void begin_group(const Aov *aov, unsigned group) {
     static const char *const names[] = {"aov_albedo", "aov_normal"};
     static const int units[] = {0, 1};
-    const Target *target = &aov->target;
     program_use(&aov->program);
     program_set_uint(&aov->program, "first_sample", aov->samples);
     program_set_uint(&aov->program, "group_samples", group);
-    target_begin(target, &aov->program, names, units);
+    target_begin(&aov->target, &aov->program, names, units);
+}
+
+/* False when stopped: then the group never was. */
+static bool add_group(Aov *aov, unsigned group, bool (*stop)(void)) {
+    const Target *target = &aov->target;
+    begin_group(aov, group);
     Rectangle all = {0, 0, target->width, target->height};
     if (!strips_draw(&aov->program, &all, 1, &aov->pixels_per_second, stop)) return false;
     target_swap(&aov->target);
@@ -115,6 +143,22 @@ bool aov_pass(Aov *aov, const Renderer *renderer, uint64_t samples, bool (*stop)
     }
     if (wanted && !aov->samples) add_group(aov, 1, NULL);
     return gl_check(aov->program.gl, "drawing --aov", error);
+}
+
+bool aov_read_pixel(const Aov *aov, unsigned samples, int x, int y, AovPixel *pixel, Error *error) {
+    Target swapped = aov->target;
+    float albedo[4], normal[4];
+    begin_group(aov, samples);
+    program_draw(&aov->program, x, y, 1, 1);
+    target_swap(&swapped);
+    if (!target_read_pixel(&swapped, 0, x, y, albedo, error) ||
+        !target_read_pixel(&swapped, 1, x, y, normal, error))
+        return false;
+    double hits = (double)albedo[3];
+    *pixel =
+        (AovPixel){.hits = hits / samples, .depth = hits > 0 ? (double)normal[3] / hits : (double)no_depth};
+    for (int c = 0; c < 3; c++) pixel->albedo[c] = (double)albedo[c] / samples;
+    return true;
 }
 
 /* The sums' first three channels over the samples. */

@@ -49,5 +49,18 @@ void aov_destroy(Aov *aov);
 MUST_CHECK bool aov_pass(Aov *aov, const Renderer *renderer, uint64_t samples, bool (*stop)(void),
                          Error *error);
 
+/* Forgets the layers and starts anew for another size, camera or parameters of the same scene. */
+MUST_CHECK bool aov_restart(Aov *aov, const Context *context, const RenderParams *params,
+                            const Renderer *renderer, Error *error);
+
+/* The first hits of one pixel's first camera rays. */
+typedef struct AovPixel {
+    double albedo[3]; /* means as above */
+    double depth;
+    double hits; /* share of the rays that hit something */
+} AovPixel;
+
+MUST_CHECK bool aov_read_pixel(const Aov *aov, unsigned samples, int x, int y, AovPixel *pixel, Error *error);
+
 /* Adds the layers to the image that was read from `film`. */
 MUST_CHECK bool aov_read(const Aov *aov, const Film *film, Image *image, Error *error);

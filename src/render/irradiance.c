@@ -62,15 +62,20 @@ static bool fill(Irradiance *irradiance, SkyPatches *patches, Sky *sky, const Sk
     return gl_check(gl, "filling the sky's irradiance", error);
 }
 
+void irradiance_bind(const Irradiance *irradiance) {
+    if (!irradiance->gl) return;
+    irradiance->gl->ActiveTexture(GL_TEXTURE0 + TABLE_UNIT);
+    irradiance->gl->BindTexture(GL_TEXTURE_2D, irradiance->table);
+    irradiance->gl->ActiveTexture(GL_TEXTURE0);
+}
+
 bool irradiance_use(Irradiance *irradiance, SkyPatches *patches, Sky *sky, const Program *program,
                     const SkyState *state, Error *error) {
     static const double size[3] = {TABLE_COLUMNS, TABLE_ROWS, 0};
     const GlApi *gl = irradiance->gl;
     bool filled = irradiance->fills && sky_state_serves(&irradiance->filled_for, state);
     if (!filled && !fill(irradiance, patches, sky, state, error)) return false;
-    gl->ActiveTexture(GL_TEXTURE0 + TABLE_UNIT);
-    gl->BindTexture(GL_TEXTURE_2D, irradiance->table);
-    gl->ActiveTexture(GL_TEXTURE0);
+    irradiance_bind(irradiance);
     program_use(program);
     program_set_int(program, "irradiance_table", TABLE_UNIT);
     program_set_vec3(program, "irradiance_size", size);

@@ -19,3 +19,6 @@ void irradiance_destroy(Irradiance *irradiance);
  * framebuffer that is bound may change. */
 MUST_CHECK bool irradiance_use(Irradiance *irradiance, SkyPatches *patches, Sky *sky, const Program *program,
                                const SkyState *state, Error *error);
+
+/* Puts the table on its texture unit. */
+void irradiance_bind(const Irradiance *irradiance);

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "render/auto.h"
 #include "render/bias.h"
+#include "render/inputs.h"
 #include "render/strips.h"
 
 #include <math.h>
@@ -34,6 +35,7 @@ typedef struct SceneNeeds {
     bool search;            /* whether its rays search by loops (glsl/shape/search.glsl) */
     long search_iterations; /* of one ray */
     bool emits;             /* whether one of its materials does */
+    unsigned inputs;        /* render/inputs.h */
 } SceneNeeds;
 
 static bool uses_control(const Methods *methods) {
@@ -74,6 +76,7 @@ static bool choose_group(Renderer *renderer, const Methods *methods, const Scene
     }
     renderer->group_samples = MOST_GROUP_SAMPLES;
     while (renderer->group_samples * iterations > LOOP_LIMIT) renderer->group_samples /= 2;
+    renderer->group = renderer->group_samples;
     /* For the first draw, a guess on the low side: hits are few, the sky's loop is run in full. */
     long likely = 10 + (sky->table ? 0 : sky->iterations);
     renderer->pixels_per_second = 1e8 / ((double)renderer->group_samples * (double)likely);
@@ -139,7 +142,8 @@ static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *err
     *needs = (SceneNeeds){.search = glsl_source_includes(&source, "shape/search.glsl"),
                           .search_iterations =
                               (long)marches * MARCH_ITERATIONS + (long)spheres * SPHERES_ITERATIONS,
-                          .emits = glsl_source_emits(&source)};
+                          .emits = glsl_source_emits(&source),
+                          .inputs = inputs_wanted(&source)};
     glsl_source_destroy(&source);
     return ok;
 }
@@ -160,9 +164,9 @@ static void write_spheres(Text *text, const char *count_name, const char *functi
 static bool flatten(const Methods *methods, const SceneNeeds *needs, const RenderParams *params, bool image,
                     GlslSource *source, Error *error) {
     const Scene *scene = params->scene;
-    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 10] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
+    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 11] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
     SkySlotText text;
-    Text bounds = {0}, mirrors = {0}, emitters = {0};
+    Text bounds = {0}, mirrors = {0}, emitters = {0}, inputs = {0};
     const char *emission = !needs->emits          ? "emission/none.glsl"
                            : scene->emitter_count ? "emission/sampled.glsl"
                                                   : "emission/chance.glsl";
@@ -180,10 +184,13 @@ static bool flatten(const Methods *methods, const SceneNeeds *needs, const Rende
     slot[6] = (GlslSlot){"spheres", spheres_slot(scene), NULL};
     slot[7] = (GlslSlot){"emission", emission, NULL};
     slot[8] = (GlslSlot){"emitter-spheres", NULL, text_string(&emitters)};
+    inputs_declare(needs->inputs, &inputs);
+    slot[9] = (GlslSlot){"inputs", NULL, text_string(&inputs)};
     bool ok = glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
     text_free(&bounds);
     text_free(&mirrors);
     text_free(&emitters);
+    text_free(&inputs);
     return ok;
 }
 
@@ -241,6 +248,7 @@ static bool set_up(Renderer *renderer, const Program *program, const Scene *scen
     sun_use(&renderer->sun, program, scene, &renderer->camera);
     spheres_use(&renderer->spheres, program);
     camera_set(&renderer->camera, program);
+    inputs_set(program, scene, renderer->camera.width, renderer->camera.height);
     renderer_set_parameters(program, scene);
     program_set_uint(program, "seed", renderer->seed);
     program_set_int(program, "max_hits", renderer->max_hits);
@@ -262,10 +270,10 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
                          const Methods *methods, const SceneNeeds *needs, Error *error) {
     const Scene *scene = params->scene;
     const Camera *camera = &renderer->camera;
-    unsigned parts = (params->variance ? FILM_SCATTER : 0U) | (needs->search ? FILM_SEARCH : 0U);
+    renderer->parts = (params->variance ? FILM_SCATTER : 0U) | (needs->search ? FILM_SEARCH : 0U);
     if (!create_program(&renderer->program, context, methods, needs, params, false, &renderer->source_files,
                         error) ||
-        !film_create(&renderer->film, context, camera->width, camera->height, parts, error) ||
+        !film_create(&renderer->film, context, camera->width, camera->height, renderer->parts, error) ||
         !sky_create(&renderer->sky, context, params->library, &methods->sky, &scene->atmosphere, error) ||
         !sun_create(&renderer->sun, context, &methods->sun, scene, camera, error) ||
         !spheres_create(&renderer->spheres, context, params->library, scene, error)) {
@@ -278,35 +286,114 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
     return create_light(renderer, context, params, methods, error);
 }
 
+static void remember_spheres(Renderer *renderer, const Scene *scene) {
+    memcpy(renderer->spheres_made_for, scene->parameters, sizeof scene->parameters);
+    renderer->spheres_time_s = scene->time_s;
+}
+
+/* Tells the programs. */
+static bool set_up_all(Renderer *renderer, const Scene *scene, Error *error) {
+    SkyState state = {scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg};
+    return set_up(renderer, &renderer->program, scene, &state, error) &&
+           (!renderer->image_program.id || set_up(renderer, &renderer->image_program, scene, &state, error));
+}
+
 bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
     const Scene *scene = params->scene;
     int width = picture_width(params), height = picture_height(params);
-    SkyState state = {scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg};
     Methods methods;
     SceneNeeds needs;
     *renderer = (Renderer){.gl = &context->gl,
                            .seed = params->seed,
-                           .max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS};
+                           .max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS,
+                           .ozone = scene->atmosphere.ozone > 0};
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
         !read_needs(params, &needs, error) || !choose_methods(&methods, params, width, height, error) ||
         !choose_group(renderer, &methods, &needs, params, error)) {
         goto fail;
     }
     renderer->sky_bias_percent = bias_sky_percent(&methods.sky, scene->sun_elevation_deg, &scene->atmosphere);
+    renderer->inputs = needs.inputs;
+    remember_spheres(renderer, scene);
     renderer->light = methods.light;
     renderer->sequence = methods.sequence;
     renderer->sun_disk = methods.sun;
     renderer->camera = camera_of(scene, width, height);
-    if (!create_parts(renderer, context, params, &methods, &needs, error) ||
-        !set_up(renderer, &renderer->program, scene, &state, error)) {
-        goto fail;
-    }
-    if (renderer->image_program.id && !set_up(renderer, &renderer->image_program, scene, &state, error))
-        goto fail;
-    return true;
+    if (create_parts(renderer, context, params, &methods, &needs, error) &&
+        set_up_all(renderer, scene, error))
+        return true;
 fail:
     renderer_destroy(renderer);
     return false;
+}
+
+static bool compiled_for(const Renderer *renderer, const Methods *methods, const RenderParams *params) {
+    return strcmp(renderer->sky.choice.text, methods->sky.text) == 0 &&
+           strcmp(renderer->light.text, methods->light.text) == 0 &&
+           strcmp(renderer->sequence.text, methods->sequence.text) == 0 &&
+           strcmp(renderer->sun_disk.text, methods->sun.text) == 0 &&
+           renderer->ozone == (params->scene->atmosphere.ozone > 0);
+}
+
+static bool recreate(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
+    Renderer next;
+    if (!renderer_create(&next, context, params, error)) return false;
+    renderer_destroy(renderer);
+    *renderer = next;
+    return true;
+}
+
+/* An empty film of the camera's size. */
+static bool clear_film(Renderer *renderer, const Context *context, Error *error) {
+    const Camera *camera = &renderer->camera;
+    Film *film = &renderer->film;
+    if (film->target.gl && film->width == camera->width && film->height == camera->height &&
+        film->parts == renderer->parts) {
+        film_reset(film);
+        return true;
+    }
+    film_destroy(film);
+    return film_create(film, context, camera->width, camera->height, renderer->parts, error);
+}
+
+/* Spheres that the scene makes itself follow its parameters, and its time. */
+static bool refill_spheres(Renderer *renderer, const Scene *scene, Error *error) {
+    bool same = memcmp(renderer->spheres_made_for, scene->parameters, sizeof scene->parameters) == 0 &&
+                memcmp(&renderer->spheres_time_s, &scene->time_s, sizeof scene->time_s) == 0;
+    if (!renderer->spheres.gl || same) return true;
+    if (!spheres_fill(&renderer->spheres, scene, error)) return false;
+    remember_spheres(renderer, scene);
+    return true;
+}
+
+/* The sun as it stands now, and the program for its image where there is one for the first time. */
+static bool move_sun(Renderer *renderer, const Context *context, const Methods *methods,
+                     const RenderParams *params, Error *error) {
+    SceneNeeds needs;
+    sun_destroy(&renderer->sun);
+    if (!sun_create(&renderer->sun, context, &methods->sun, params->scene, &renderer->camera, error))
+        return false;
+    return !renderer->sun.rectangle_count || renderer->image_program.id ||
+           (read_needs(params, &needs, error) &&
+            create_program(&renderer->image_program, context, methods, &needs, params, true, NULL, error));
+}
+
+bool renderer_restart(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
+    const Scene *scene = params->scene;
+    int width = picture_width(params), height = picture_height(params);
+    Methods methods;
+    if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
+        !choose_methods(&methods, params, width, height, error)) {
+        return false;
+    }
+    if (!compiled_for(renderer, &methods, params)) return recreate(renderer, context, params, error);
+    if (!refill_spheres(renderer, scene, error)) return false;
+    renderer->camera = camera_of(scene, width, height);
+    renderer->sky_bias_percent = bias_sky_percent(&methods.sky, scene->sun_elevation_deg, &scene->atmosphere);
+    renderer->seed = params->seed;
+    renderer->row = 0;
+    return clear_film(renderer, context, error) && move_sun(renderer, context, &methods, params, error) &&
+           set_up_all(renderer, scene, error);
 }
 
 void renderer_destroy(Renderer *renderer) {
@@ -326,6 +413,7 @@ void renderer_destroy(Renderer *renderer) {
 static void begin(Renderer *renderer, const Program *program, unsigned group) {
     program_use(program);
     program_set_uint(program, "group_samples", group);
+    program_set_int(program, "iFrame", (int)(renderer->film.samples / renderer->group_samples));
     film_begin(&renderer->film, program);
 }
 
@@ -378,4 +466,32 @@ bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, ui
         *taken += group;
     }
     return gl_check(renderer->gl, "refining regions", error);
+}
+
+static void bind_textures(const Renderer *renderer) {
+    sky_bind(&renderer->sky);
+    sun_bind(&renderer->sun);
+    irradiance_bind(&renderer->irradiance);
+    sky_sampler_bind(&renderer->sampler);
+    spheres_bind(&renderer->spheres);
+}
+
+bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, Error *error) {
+    Film *film = &renderer->film;
+    Rectangle all = {0, 0, film->width, film->height};
+    if (renderer->row == 0) {
+        unsigned last = renderer->group;
+        renderer->group = samples < renderer->group_samples ? (unsigned)samples : renderer->group_samples;
+        renderer->pixels_per_second *= (double)last / renderer->group;
+    }
+    bind_textures(renderer);
+    begin(renderer, &renderer->program, renderer->group);
+    strips_draw_for(&renderer->program, film->width, film->height, &renderer->row,
+                    &renderer->pixels_per_second, seconds);
+    if (renderer->row == film->height) {
+        draw_sun_image(renderer, &all, 1, renderer->group);
+        film_commit(film, renderer->group);
+        renderer->row = 0;
+    }
+    return gl_check(renderer->gl, "drawing a pass", error);
 }

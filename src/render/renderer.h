@@ -44,7 +44,14 @@ typedef struct Renderer {
     unsigned seed;
     unsigned group_samples;   /* per pass; the last pass may take fewer */
     double pixels_per_second; /* of a group, measured; sizes the draws */
-    Text source_files;        /* what was compiled, for -v */
+    unsigned group;           /* renderer_advance: samples of the group that is being drawn ... */
+    int row;                  /* ... whose rows before this one stand in the back of the film's target */
+    unsigned parts;           /* of its films */
+    unsigned inputs;          /* that the scene wants (render/inputs.h) */
+    bool ozone;               /* whether it was compiled in */
+    Parameter spheres_made_for[32]; /* the scene's, and its time */
+    double spheres_time_s;
+    Text source_files; /* what was compiled, for -v */
 } Renderer;
 
 /* The fragment shader that these parameters ask for, as one text: the methods, the scene and what they
@@ -56,6 +63,13 @@ MUST_CHECK bool renderer_flatten(const RenderParams *params, GlslSource *source,
 MUST_CHECK bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params,
                                 Error *error);
 void renderer_destroy(Renderer *renderer);
+
+/* Forgets the picture and starts anew as renderer_create() would with these parameters, for the same scene
+ * file. Sun, camera, size, parameters and air may have changed freely: programs are kept unless methods have
+ * changed, and tables unless what they depend on has. Where the parameters are refused, the renderer stays as
+ * it was. */
+MUST_CHECK bool renderer_restart(Renderer *renderer, const Context *context, const RenderParams *params,
+                                 Error *error);
 
 /* Tells `program`, which is in use, the values of the scene's own uniforms. */
 void renderer_set_parameters(const Program *program, const Scene *scene);
@@ -70,3 +84,8 @@ MUST_CHECK bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)
  * groups. */
 MUST_CHECK bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, uint64_t samples,
                                 double deadline, bool (*stop)(void), uint64_t *taken, Error *error);
+
+/* Draws on for about `seconds` (at least a row): the group that is unfinished, or the next one, of at most
+ * `samples`. With its last row it is committed. Other programs and textures may have been in use since. Not
+ * to be mixed with the passes above. */
+MUST_CHECK bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, Error *error);

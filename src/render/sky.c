@@ -156,16 +156,18 @@ static bool fill(Sky *sky, const SkyState *state, Error *error) {
     return gl_check(sky->gl, "filling the sky's table", error);
 }
 
-bool sky_use(Sky *sky, const Program *program, const SkyState *state, Error *error) {
-    if (sky->choice.table) {
-        if (!(sky->fills && sky_state_serves(&sky->filled_for, state)) && !fill(sky, state, error))
-            return false;
-        for (unsigned i = 0; i < 2; i++) {
-            sky->gl->ActiveTexture(GL_TEXTURE0 + TABLE_UNIT + i);
-            sky->gl->BindTexture(GL_TEXTURE_2D, sky->texture[i]);
-        }
-        sky->gl->ActiveTexture(GL_TEXTURE0);
+void sky_bind(const Sky *sky) {
+    for (unsigned i = 0; sky->choice.table && i < 2; i++) {
+        sky->gl->ActiveTexture(GL_TEXTURE0 + TABLE_UNIT + i);
+        sky->gl->BindTexture(GL_TEXTURE_2D, sky->texture[i]);
     }
+    sky->gl->ActiveTexture(GL_TEXTURE0);
+}
+
+bool sky_use(Sky *sky, const Program *program, const SkyState *state, Error *error) {
+    bool filled = sky->fills && sky_state_serves(&sky->filled_for, state);
+    if (sky->choice.table && !filled && !fill(sky, state, error)) return false;
+    sky_bind(sky);
     set_all(sky, program, state);
     return gl_check(sky->gl, "setting up the sky", error);
 }

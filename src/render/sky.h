@@ -45,3 +45,6 @@ void sky_destroy(Sky *sky);
 /* Makes the sky ready for this state and tells `program` (which becomes the program in use). The framebuffer
  * that is bound changes when a table is filled. Whether there is ozone must be as at sky_create. */
 MUST_CHECK bool sky_use(Sky *sky, const Program *program, const SkyState *state, Error *error);
+
+/* Puts the table on its texture units, where something else may have been bound since. */
+void sky_bind(const Sky *sky);

@@ -130,17 +130,22 @@ static bool fill(SkySampler *sampler, SkyPatches *patches, Sky *sky, const SkySt
     return gl_check(sampler->gl, "filling the sky's sampler", error);
 }
 
+void sky_sampler_bind(const SkySampler *sampler) {
+    if (!sampler->gl) return;
+    sampler->gl->ActiveTexture(GL_TEXTURE0 + BINS_UNIT);
+    sampler->gl->BindTexture(GL_TEXTURE_2D, sampler->bins);
+    sampler->gl->ActiveTexture(GL_TEXTURE0 + SHARES_UNIT);
+    sampler->gl->BindTexture(GL_TEXTURE_2D, sampler->shares);
+    sampler->gl->ActiveTexture(GL_TEXTURE0);
+}
+
 bool sky_sampler_use(SkySampler *sampler, SkyPatches *patches, Sky *sky, const Program *program,
                      const SkyState *state, Error *error) {
     static const double count[3] = {PATCH_COLUMNS, PATCH_ROWS_ABOVE, PATCH_ROWS_BELOW};
     double azimuth = state->sun_azimuth_deg * degree, level[3] = {sin(azimuth), 0, cos(azimuth)};
     bool filled = sampler->fills && sky_state_serves(&sampler->filled_for, state);
     if (!filled && !fill(sampler, patches, sky, state, error)) return false;
-    sampler->gl->ActiveTexture(GL_TEXTURE0 + BINS_UNIT);
-    sampler->gl->BindTexture(GL_TEXTURE_2D, sampler->bins);
-    sampler->gl->ActiveTexture(GL_TEXTURE0 + SHARES_UNIT);
-    sampler->gl->BindTexture(GL_TEXTURE_2D, sampler->shares);
-    sampler->gl->ActiveTexture(GL_TEXTURE0);
+    sky_sampler_bind(sampler);
     program_use(program);
     program_set_int(program, "sky_bins", BINS_UNIT);
     program_set_int(program, "sky_cell_share", SHARES_UNIT);

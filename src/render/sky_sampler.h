@@ -20,6 +20,9 @@ void sky_sampler_destroy(SkySampler *sampler);
 MUST_CHECK bool sky_sampler_use(SkySampler *sampler, SkyPatches *patches, Sky *sky, const Program *program,
                                 const SkyState *state, Error *error);
 
+/* Puts the tables on their texture units. */
+void sky_sampler_bind(const SkySampler *sampler);
+
 /* Shares SKY_BINS bins among cells in proportion to their weights, in whole numbers, at least one bin to each
  * cell of a weight above 0 (fewer of those than bins, and at least one). */
 void sky_sampler_share(const double *weights, int cells, int *bins);

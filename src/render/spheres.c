@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "gl/texture.h"
+#include "render/inputs.h"
 #include "render/renderer.h"
 #include "scene/sphere_file.h"
 #include "scene/sphere_tree.h"
@@ -15,11 +16,17 @@ enum { TABLE_UNIT = 10, FILL_COLUMNS = 1024 };
 static const double farthest_m = 1e7;
 
 static bool create_fill(Spheres *spheres, const char *library, const Scene *scene, Error *error) {
-    const GlslSlot slots[] = {{"scene", scene->path, NULL}, {NULL, NULL, NULL}};
+    Text inputs = {0};
     GlslSource source;
-    if (!glsl_source_create(&source, library, "pass/fill_spheres.glsl", slots, error)) return false;
-    bool ok = program_create(&spheres->fill, spheres->gl, &source, error);
+    if (!glsl_source_create(&source, library, scene->path, NULL, error)) return false;
+    inputs_declare(inputs_wanted(&source), &inputs);
     glsl_source_destroy(&source);
+    const GlslSlot slots[] = {
+        {"inputs", NULL, text_string(&inputs)}, {"scene", scene->path, NULL}, {NULL, NULL, NULL}};
+    bool ok = glsl_source_create(&source, library, "pass/fill_spheres.glsl", slots, error);
+    if (ok) ok = program_create(&spheres->fill, spheres->gl, &source, error);
+    glsl_source_destroy(&source);
+    text_free(&inputs);
     return ok;
 }
 
@@ -33,6 +40,7 @@ static bool draw(const Spheres *spheres, const Scene *scene, int count, int rows
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
     gl->Viewport(0, 0, FILL_COLUMNS, rows);
     program_use(&spheres->fill);
+    inputs_set(&spheres->fill, scene, FILL_COLUMNS, rows);
     renderer_set_parameters(&spheres->fill, scene);
     program_set_int(&spheres->fill, "fill_count", count);
     program_draw(&spheres->fill, 0, 0, FILL_COLUMNS, rows);
@@ -117,11 +125,16 @@ const char *spheres_slot(const Scene *scene) {
     return scene->spheres[0] ? "pass/spheres.glsl" : "pass/spheres_none.glsl";
 }
 
-void spheres_use(const Spheres *spheres, const Program *program) {
+void spheres_bind(const Spheres *spheres) {
     if (!spheres->gl) return;
     spheres->gl->ActiveTexture(GL_TEXTURE0 + TABLE_UNIT);
     spheres->gl->BindTexture(GL_TEXTURE_2D, spheres->table);
     spheres->gl->ActiveTexture(GL_TEXTURE0);
+}
+
+void spheres_use(const Spheres *spheres, const Program *program) {
+    if (!spheres->gl) return;
+    spheres_bind(spheres);
     program_set_int(program, "spheres_table", TABLE_UNIT);
     program_set_int(program, "spheres_count", spheres->entries);
 }

@@ -26,5 +26,8 @@ MUST_CHECK bool spheres_fill(Spheres *spheres, const Scene *scene, Error *error)
 /* The file for the slot <spheres> of a program that holds the scene. */
 const char *spheres_slot(const Scene *scene);
 
+/* Puts the table on its texture unit. */
+void spheres_bind(const Spheres *spheres);
+
 /* Tells `program`, which is in use. */
 void spheres_use(const Spheres *spheres, const Program *program);

@@ -32,3 +32,17 @@ bool strips_draw(const Program *program, const Rectangle *regions, int count, do
     }
     return true;
 }
+
+void strips_draw_for(const Program *program, int width, int height, int *row, double *pixels_per_second,
+                     double seconds) {
+    double end = clock_seconds() + seconds, left = seconds;
+    do {
+        double start = clock_seconds(), wanted = *pixels_per_second * fmin(left, seconds / 3) / width;
+        int rows = (int)fmin(fmax(wanted, 1), height - *row);
+        program_draw(program, 0, *row, width, rows);
+        program->gl->Finish();
+        *pixels_per_second = (double)rows * width / fmax(clock_seconds() - start, 1e-6);
+        *row += rows;
+        left = end - clock_seconds();
+    } while (*row < height && left > 0.1 * seconds);
+}

@@ -116,6 +116,15 @@ void sun_destroy(Sun *sun) {
     *sun = (Sun){0};
 }
 
+void sun_bind(const Sun *sun) {
+    if (!sun->table) return;
+    sun->gl->ActiveTexture(GL_TEXTURE0 + TABLE_UNIT);
+    sun->gl->BindTexture(GL_TEXTURE_2D, sun->table);
+    sun->gl->ActiveTexture(GL_TEXTURE0 + COVER_UNIT);
+    sun->gl->BindTexture(GL_TEXTURE_2D, sun->cover);
+    sun->gl->ActiveTexture(GL_TEXTURE0);
+}
+
 void sun_use(const Sun *sun, const Program *program, const Scene *scene, const Camera *camera) {
     SunDisk disk = disk_of(scene);
     if (!sun->table) return;
@@ -126,11 +135,7 @@ void sun_use(const Sun *sun, const Program *program, const Scene *scene, const C
     corner[0] = sun->covered.width ? sun->covered.x : -9; /* beside the picture */
     corner[1] = sun->covered.y;
     if (!camera_project(camera, heart, heart_at)) heart_at[0] = heart_at[1] = -1;
-    sun->gl->ActiveTexture(GL_TEXTURE0 + TABLE_UNIT);
-    sun->gl->BindTexture(GL_TEXTURE_2D, sun->table);
-    sun->gl->ActiveTexture(GL_TEXTURE0 + COVER_UNIT);
-    sun->gl->BindTexture(GL_TEXTURE_2D, sun->cover);
-    sun->gl->ActiveTexture(GL_TEXTURE0);
+    sun_bind(sun);
     program_set_vec3(program, "sun_disk_middle", disk.middle);
     program_set_float(program, "sun_disk_one_less_cos", 2 * sin(disk.radius / 2) * sin(disk.radius / 2));
     program_set_vec3(program, "sun_disk_heights", heights);

@@ -29,5 +29,8 @@ MUST_CHECK bool sun_create(Sun *sun, const Context *context, const MethodChoice 
                            const Camera *camera, Error *error);
 void sun_destroy(Sun *sun);
 
+/* Puts the disk's textures on their units. */
+void sun_bind(const Sun *sun);
+
 /* Tells `program`, which is in use. */
 void sun_use(const Sun *sun, const Program *program, const Scene *scene, const Camera *camera);

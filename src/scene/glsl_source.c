@@ -388,3 +388,36 @@ bool glsl_source_includes(const GlslSource *source, const char *file) {
     }
     return false;
 }
+
+static bool is_word(char c) {
+    return isalnum((unsigned char)c) || c == '_';
+}
+
+/* Whether `type` and nothing but blanks stand before text[at]. An empty type always does. */
+static bool follows(const char *text, size_t at, const char *type) {
+    size_t length = strlen(type), end = at;
+    if (!length) return true;
+    while (end > 0 && isspace((unsigned char)text[end - 1])) end--;
+    return end < at && end >= length && strncmp(text + end - length, type, length) == 0 &&
+           (end == length || !is_word(text[end - length - 1]));
+}
+
+static bool has_word(const GlslSource *source, const char *type, const char *name) {
+    char *text = without_comments(text_string(&source->text));
+    size_t length = strlen(name);
+    bool found = false;
+    for (const char *at = text; !found && (at = strstr(at, name)); at += length) {
+        bool whole = (at == text || !is_word(at[-1])) && !is_word(at[length]);
+        found = whole && follows(text, (size_t)(at - text), type);
+    }
+    free(text);
+    return found;
+}
+
+bool glsl_source_mentions(const GlslSource *source, const char *name) {
+    return has_word(source, "", name);
+}
+
+bool glsl_source_declares(const GlslSource *source, const char *type, const char *name) {
+    return has_word(source, type, name);
+}

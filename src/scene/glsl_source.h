@@ -57,3 +57,7 @@ int glsl_source_calls(const GlslSource *source, const char *function);
 
 /* Whether the file, by the end of its path, is among those that the text was made of. */
 bool glsl_source_includes(const GlslSource *source, const char *file);
+
+/* Whether the text has this identifier (outside comments), and whether it declares it, as "float iTime". */
+bool glsl_source_mentions(const GlslSource *source, const char *name);
+bool glsl_source_declares(const GlslSource *source, const char *type, const char *name);

@@ -24,6 +24,7 @@ static const struct {
     {"sun.azimuth", offsetof(Scene, sun_azimuth_deg), 1, -360, 360},
     {"sun.radius", offsetof(Scene, sun_radius_deg), 1, 0.01, 30},
     {"exposure", offsetof(Scene, exposure_ev), 1, -64, 64},
+    {"time", offsetof(Scene, time_s), 1, 0, 1e6},
     {"camera.eye", offsetof(Scene, eye), 3, -1e6, 1e6},
     {"camera.target", offsetof(Scene, target), 3, -1e6, 1e6},
     {"camera.fov", offsetof(Scene, fov_deg), 1, 0.01, 179},

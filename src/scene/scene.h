@@ -42,6 +42,7 @@ typedef struct Scene {
     double sun_elevation_deg, sun_azimuth_deg, sun_radius_deg;
     bool sun_disk; /* whether the sun is there itself, beside the sky that it lights */
     double exposure_ev;
+    double time_s, mouse[4]; /* Shadertoy's iTime and iMouse, for scenes that want them */
     int width, height;
     char sky[64]; /* the sky method that the scene asks for; empty if it asks for none */
     int sky_line;

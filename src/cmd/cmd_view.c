@@ -1,0 +1,65 @@
+#include "cmd/cmd.h"
+#include "cmd/interrupt.h"
+#include "cmd/setup.h"
+#include "view/log.h"
+#include "view/view.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { RECORDED_SAMPLES = 64 };
+
+static bool load(const void *data, Scene *scene, Error *error) {
+    return setup_scene(data, scene, error);
+}
+
+static void copy_name(char *target, size_t size, const char *name) {
+    snprintf(target, size, "%s", name && strcmp(name, "auto") != 0 ? name : "");
+}
+
+static MethodNames method_names(const Options *options) {
+    MethodNames names = {.sky = ""};
+    copy_name(names.sky, sizeof names.sky, options->sky);
+    copy_name(names.light, sizeof names.light, options->light);
+    copy_name(names.sequence, sizeof names.sequence, options->sequence);
+    copy_name(names.sun_disk, sizeof names.sun_disk, options->sun_disk);
+    if (options->sun_disk && !names.sun_disk[0]) copy_name(names.sun_disk, sizeof names.sun_disk, "sampled");
+    return names;
+}
+
+static bool check_folder(const char *folder, Error *error) {
+    struct stat status;
+    if (!folder || mkdir(folder, 0777) == 0) return true;
+    if (errno == EEXIST && stat(folder, &status) == 0 && S_ISDIR(status.st_mode)) return true;
+    return error_set(error, STATUS_OUTPUT, "--record %s: no folder can be made there", folder);
+}
+
+Status cmd_view(const Options *options, Error *error) {
+    char *library = NULL;
+    error->status = STATUS_DONE;
+    interrupt_install();
+    log_enable(options->progress && strcmp(options->progress, "json") == 0);
+    bool ok = setup_library(options, &library, error) && check_folder(options->record, error);
+    if (ok) {
+        ViewParams params = {.load = load,
+                             .data = options,
+                             .path = options->inputs[0],
+                             .library = library,
+                             .methods = method_names(options),
+                             .width = options->width,
+                             .height = options->height,
+                             .seed = options->seed,
+                             .max_hits = options->depth,
+                             .samples = options->samples  ? options->samples
+                                        : options->record ? RECORDED_SAMPLES
+                                                          : 0,
+                             .record = options->record,
+                             .stop = interrupt_requested};
+        ok = view_run(&params, error);
+    }
+    free(library);
+    return ok ? STATUS_DONE : error->status;
+}

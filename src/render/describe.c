@@ -1,0 +1,47 @@
+#include "render/describe.h"
+
+#include <math.h>
+#include <stdio.h>
+
+void describe_value(AttributeList *list, const char *group, const char *name, const double *value,
+                    int count) {
+    char full[96];
+    snprintf(full, sizeof full, "magichour.%s.%s", group, name);
+    if (count == 3) {
+        attribute_add(list, full, "%.9g,%.9g,%.9g", value[0], value[1], value[2]);
+    } else {
+        attribute_add(list, full, "%.9g", value[0]);
+    }
+}
+
+void describe_atmosphere(const Atmosphere *atmosphere, AttributeList *list) {
+    for (int i = 0; atmosphere_field(i); i++) {
+        const AtmosphereField *field = atmosphere_field(i);
+        describe_value(list, "atmosphere", field->name, atmosphere_value(atmosphere, field), field->count);
+    }
+}
+
+void describe_picture(AttributeList *list, const Scene *scene, const Renderer *renderer,
+                      const Context *context) {
+    attribute_add(list, "magichour.scene", "%s", scene->path);
+    attribute_add(list, "magichour.sun", "elevation %.9g azimuth %.9g", scene->sun_elevation_deg,
+                  scene->sun_azimuth_deg);
+    attribute_add(list, "magichour.sun_disk", "%s, radius %.9g degrees", renderer->sun_disk.text,
+                  scene->sun_radius_deg);
+    attribute_add(list, "magichour.sky", "%s", renderer->sky.choice.text);
+    if (!isnan(renderer->sky_bias_percent))
+        attribute_add(list, "magichour.sky_bias_percent", "%.3g", renderer->sky_bias_percent);
+    attribute_add(list, "magichour.light", "%s", renderer->light.text);
+    attribute_add(list, "magichour.sequence", "%s", renderer->sequence.text);
+    attribute_add(list, "magichour.seed", "%u", renderer->seed);
+    attribute_add(list, "magichour.backend", "%s%s%s", context->backend ? context->backend->name : "window",
+                  context->backend ? ", " : "", context->detail);
+    attribute_add(list, "magichour.gl_renderer", "%s", context->renderer);
+    attribute_add(list, "magichour.gl_version", "%s", context->version);
+    for (int i = 0; i < scene->parameter_count; i++) {
+        const Parameter *parameter = &scene->parameters[i];
+        describe_value(list, "set", parameter->name, parameter->value,
+                       parameter->type == PARAMETER_COLOR ? 3 : 1);
+    }
+    describe_atmosphere(&scene->atmosphere, list);
+}

@@ -1,0 +1,81 @@
+#include "view/command.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* As short as reads back as the same number. */
+static void print_number(Text *text, const char *before, double value) {
+    char shortest[40];
+    for (int digits = 6; digits <= 17; digits++) {
+        snprintf(shortest, sizeof shortest, "%.*g", digits, value);
+        double back = strtod(shortest, NULL);
+        if (memcmp(&back, &value, sizeof back) == 0) break;
+    }
+    text_print(text, "%s%s", before, shortest);
+}
+
+static void print_setting(Text *text, const char *group, const char *name, const double *values, int count) {
+    text_print(text, " --set %s%s=", group, name);
+    for (int i = 0; i < count; i++) print_number(text, i ? "," : "", values[i]);
+}
+
+static bool differ(const double *a, const double *b, int count) {
+    return memcmp(a, b, (size_t)count * sizeof *a) != 0;
+}
+
+/* Wavelengths and the like come first, as setting them computes the Rayleigh coefficients anew, which follow.
+ */
+static void print_atmosphere(Text *text, const Atmosphere *atmosphere, const Atmosphere *file) {
+    static const char *const first[] = {"wavelengths_nm", "refractive_index", "molecules_per_m3"};
+    bool anew = false;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int i = 0; atmosphere_field(i); i++) {
+            const AtmosphereField *field = atmosphere_field(i);
+            const double *values = atmosphere_value(atmosphere, field);
+            bool early = false;
+            for (int k = 0; k < 3; k++) early |= strcmp(first[k], field->name) == 0;
+            bool wanted = differ(values, atmosphere_value(file, field), field->count) ||
+                          (anew && strcmp(field->name, "rayleigh_scatter_per_m") == 0);
+            if (early != (pass == 0) || !wanted) continue;
+            print_setting(text, "atmosphere.", field->name, values, field->count);
+            anew |= early;
+        }
+    }
+}
+
+static void print_parameters(Text *text, const Scene *scene, const Scene *file) {
+    for (int i = 0; i < scene->parameter_count; i++) {
+        const Parameter *now = &scene->parameters[i];
+        int count = now->type == PARAMETER_COLOR ? 3 : 1;
+        bool same = i < file->parameter_count && strcmp(file->parameters[i].name, now->name) == 0 &&
+                    !differ(now->value, file->parameters[i].value, count);
+        if (!same) print_setting(text, "", now->name, now->value, count);
+    }
+}
+
+void view_command(const Scene *scene, const Renderer *renderer, int max_hits, Text *command) {
+    Scene file;
+    Error error;
+    if (!scene_read(&file, scene->path, &error)) file = scene_default(scene->path);
+    text_print(command, "magichour render %s -o picture.exr --size %dx%d --spp %" PRIu64, scene->path,
+               renderer->camera.width, renderer->camera.height, renderer->film.samples);
+    text_print(command, " --sky %s --light %s --sequence %s --sun-disk=%s", renderer->sky.choice.text,
+               renderer->light.text, renderer->sequence.text, renderer->sun_disk.text);
+    if (renderer->seed) text_print(command, " --seed %u", renderer->seed);
+    if (max_hits) text_print(command, " --depth %d", max_hits);
+    print_number(command, " --sun ", scene->sun_elevation_deg);
+    print_number(command, ",", scene->sun_azimuth_deg);
+    if (differ(&scene->sun_radius_deg, &file.sun_radius_deg, 1))
+        print_setting(command, "sun.", "radius", &scene->sun_radius_deg, 1);
+    if (differ(scene->eye, file.eye, 3)) print_setting(command, "camera.", "eye", scene->eye, 3);
+    if (differ(scene->target, file.target, 3)) print_setting(command, "camera.", "target", scene->target, 3);
+    if (differ(&scene->fov_deg, &file.fov_deg, 1))
+        print_setting(command, "camera.", "fov", &scene->fov_deg, 1);
+    if (differ(&scene->exposure_ev, &file.exposure_ev, 1))
+        print_number(command, " --exposure ", scene->exposure_ev);
+    print_parameters(command, scene, &file);
+    print_atmosphere(command, &scene->atmosphere, &file.atmosphere);
+    scene_destroy(&file);
+}

@@ -1,0 +1,212 @@
+#include "view/pane.h"
+
+#include "base/clock.h"
+#include "base/text.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of the pixels, left out of the estimate where the sun itself is in the picture: it would be all of it. */
+static const double sun_trim = 0.001;
+
+enum { COARSEST = 8, MOST_PREVIEW_SAMPLES = 16 };
+
+/* What the renderer is told of the scene: the exposure is none of its business. */
+static Scene without_exposure(const Scene *scene) {
+    Scene copy = *scene;
+    copy.exposure_ev = 0;
+    return copy;
+}
+
+static bool same_methods(const MethodNames *a, const MethodNames *b) {
+    return strcmp(a->sky, b->sky) == 0 && strcmp(a->light, b->light) == 0 &&
+           strcmp(a->sequence, b->sequence) == 0 && strcmp(a->sun_disk, b->sun_disk) == 0;
+}
+
+static bool same_picture(const Pane *pane, const PaneParams *params) {
+    Scene scene = without_exposure(params->scene);
+    return memcmp(&scene, &pane->scene, sizeof scene) == 0 && same_methods(&pane->methods, params->methods) &&
+           pane->width == params->width && pane->height == params->height;
+}
+
+static const char *word(const char *text) {
+    return *text ? text : NULL;
+}
+
+/* The same for every sun: a choice that followed the sun would compile anew as it is dragged. */
+static const char *sky_of(const PaneParams *params) {
+    const Atmosphere *a = &params->scene->atmosphere;
+    if (*params->methods->sky || params->scene->sky[0]) return word(params->methods->sky);
+    return a->observer_height_m > a->top_radius_m - a->planet_radius_m ? "gauss:8" : "table";
+}
+
+static RenderParams render_params(const PaneParams *params, int coarseness) {
+    return (RenderParams){.scene = params->scene,
+                          .library = params->library,
+                          .sky = sky_of(params),
+                          .light = word(params->methods->light),
+                          .sequence = word(params->methods->sequence),
+                          .sun_disk = word(params->methods->sun_disk),
+                          .width = (params->width + coarseness - 1) / coarseness,
+                          .height = (params->height + coarseness - 1) / coarseness,
+                          .seed = params->seed,
+                          .max_hits = params->max_hits,
+                          .variance = true};
+}
+
+/* The finest preview that the budget allows, with a margin against changing back and forth. */
+static int choose_coarseness(const Pane *pane, const PaneParams *params) {
+    double pixels = (double)params->width * params->height;
+    double paths = pane->paths_per_second > 0 ? pane->paths_per_second * params->budget_s : pixels / 16;
+    int finest = 1;
+    while (finest < COARSEST && pixels / (finest * finest) > paths) finest *= 2;
+    int last = pane->coarseness;
+    bool may_stay = last > finest && pixels / (finest * finest) > 0.7 * paths;
+    return may_stay && last == 2 * finest ? last : finest;
+}
+
+static unsigned choose_samples(const Pane *pane, const PaneParams *params, int coarseness) {
+    double pixels = (double)params->width * params->height / (coarseness * coarseness);
+    double samples = floor(pane->paths_per_second * params->budget_s / pixels);
+    return (unsigned)fmin(fmax(samples, 1), MOST_PREVIEW_SAMPLES);
+}
+
+/* Preview and picture at rest keep a film each, and change places. */
+static void exchange_films(Pane *pane) {
+    Film film = pane->renderer.film;
+    pane->renderer.film = pane->kept;
+    pane->kept = film;
+}
+
+static void forget_figures(Pane *pane) {
+    pane->seconds = 0;
+    pane->paths = 0;
+    noise_destroy(&pane->noise);
+    pane->curve.count = 0;
+    pane->error_percent = NAN;
+}
+
+static void remember(Pane *pane, const PaneParams *params, int coarseness) {
+    pane->scene = without_exposure(params->scene);
+    pane->methods = *params->methods;
+    pane->width = params->width;
+    pane->height = params->height;
+    pane->coarseness = coarseness;
+    forget_figures(pane);
+}
+
+static bool start(Pane *pane, const PaneParams *params, bool preview, int coarseness, Error *error) {
+    RenderParams wanted = render_params(params, coarseness);
+    if (!pane->renderer.gl) return renderer_create(&pane->renderer, params->context, &wanted, error);
+    bool exchanged = pane->renderer.film.samples && (!preview || coarseness != pane->coarseness);
+    if (exchanged) exchange_films(pane);
+    if (renderer_restart(&pane->renderer, params->context, &wanted, error)) return true;
+    if (exchanged) exchange_films(pane);
+    return false;
+}
+
+bool pane_update(Pane *pane, const PaneParams *params, Error *error) {
+    bool same = pane->renderer.gl && same_picture(pane, params), previews = pane->preview_samples > 0;
+    bool preview = !params->whole && (!same || (previews && params->moving));
+    pane->changed = false;
+    if (same && preview == previews) return true;
+    int coarseness = preview ? choose_coarseness(pane, params) : 1;
+    if (!start(pane, params, preview, coarseness, error)) return false;
+    pane->preview_samples = preview ? choose_samples(pane, params, coarseness) : 0;
+    remember(pane, params, coarseness);
+    pane->changed = !same;
+    return true;
+}
+
+bool pane_compile(const PaneParams *params, Renderer *next, Error *error) {
+    RenderParams wanted = render_params(params, 1);
+    return renderer_create(next, params->context, &wanted, error);
+}
+
+void pane_take(Pane *pane, const PaneParams *params, const Renderer *next) {
+    if (pane->renderer.film.samples) exchange_films(pane);
+    renderer_destroy(&pane->renderer);
+    pane->renderer = *next;
+    pane->preview_samples = 0;
+    remember(pane, params, 1);
+    pane->changed = true;
+}
+
+void pane_destroy(Pane *pane) {
+    renderer_destroy(&pane->renderer);
+    film_destroy(&pane->kept);
+    noise_destroy(&pane->noise);
+    *pane = (Pane){0};
+}
+
+bool pane_rests(const Pane *pane, const PaneParams *params) {
+    return !pane->preview_samples && pane->renderer.film.samples >= params->samples;
+}
+
+/* The estimate needs the picture at each doubling of its samples, as it is now; in between it is told how
+ * many there are. */
+static bool estimate(Pane *pane, Error *error) {
+    const Film *film = &pane->renderer.film;
+    Noise *noise = &pane->noise;
+    Image mean;
+    FilmCount count;
+    if (!noise->tiles)
+        *noise = noise_create(film->width, film->height, pane->renderer.sun.rectangle_count ? sun_trim : 0);
+    for (int i = 0; i < noise->columns * noise->rows; i++) noise->tiles[i].samples = film->samples;
+    if (!(film->samples & (film->samples - 1))) {
+        if (!film_read(film, &mean, &count, error)) return false;
+        noise_measure(noise, &mean);
+        image_free(&mean);
+        pane->mean = noise->mean;
+    }
+    double percent = noise_percent(noise);
+    pane->error_percent = percent < INFINITY ? percent : NAN;
+    return true;
+}
+
+static void extend_curve(ErrorCurve *curve, double seconds, double percent) {
+    if (!isfinite(percent)) return;
+    bool near = curve->count && seconds < 1.05 * curve->seconds[curve->count - 1];
+    if (near) return;
+    if (curve->count == MOST_CURVE) { /* every other point does for the past */
+        for (int i = 0; i < MOST_CURVE / 2; i++) {
+            curve->seconds[i] = curve->seconds[2 * i];
+            curve->percent[i] = curve->percent[2 * i];
+        }
+        curve->count = MOST_CURVE / 2;
+    }
+    curve->seconds[curve->count] = seconds;
+    curve->percent[curve->count++] = percent;
+}
+
+/* A program's first draw compiles it and says nothing about its speed. */
+static void measure(Pane *pane, double rate) {
+    bool first = pane->measured != pane->renderer.program.id;
+    pane->measured = pane->renderer.program.id;
+    if (first) return;
+    pane->paths_per_second = pane->paths_per_second > 0 ? 0.7 * pane->paths_per_second + 0.3 * rate : rate;
+}
+
+bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
+    Renderer *renderer = &pane->renderer;
+    const Film *film = &renderer->film;
+    if (pane_rests(pane, params)) return true;
+    uint64_t samples = pane->preview_samples ? pane->preview_samples : params->samples - film->samples;
+    /* A preview is shown whole. */
+    double budget = pane->preview_samples ? INFINITY : params->budget_s, begin = clock_seconds();
+    int first_row = renderer->row;
+    uint64_t before = film->samples;
+    if (!renderer_advance(renderer, samples, budget, error)) return false;
+    double taken = fmax(clock_seconds() - begin, 1e-6);
+    int rows = film->samples > before ? film->height - first_row : renderer->row - first_row;
+    uint64_t paths = (uint64_t)rows * (uint64_t)film->width * renderer->group;
+    measure(pane, (double)paths / taken);
+    pane->paths += paths;
+    pane->seconds += taken;
+    bool committed = !pane->preview_samples && film->samples > before;
+    if (!committed) return true;
+    if (!estimate(pane, error)) return false;
+    extend_curve(&pane->curve, pane->seconds, pane->error_percent);
+    return true;
+}

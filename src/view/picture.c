@@ -1,0 +1,271 @@
+#include "view/picture.h"
+
+#include "base/clock.h"
+#include "view/carry.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double moving_s = 0.15;        /* that long after a change it still moves */
+static const double moving_budget_s = 0.02; /* of drawing, in a frame while things move */
+static const double rest_budget_s = 0.03;   /* at rest */
+static const uint64_t many_samples = 1 << 20;
+
+static bool is_toy(const Picture *picture) {
+    return picture->toy.program.id != 0;
+}
+
+static int side_count(const ViewState *state) {
+    return state->split ? 2 : 1;
+}
+
+bool picture_moves(const Picture *picture) {
+    return clock_seconds() < picture->changed + moving_s;
+}
+
+static PaneParams pane_params(const Picture *picture, const ViewState *state, int side, const Scene *scene) {
+    const ViewParams *params = picture->params;
+    bool moving = picture_moves(picture);
+    return (PaneParams){.context = picture->context,
+                        .library = params->library,
+                        .scene = scene,
+                        .methods = &state->methods[side],
+                        .width = picture->width,
+                        .height = picture->height,
+                        .seed = params->seed,
+                        .max_hits = params->max_hits,
+                        .samples = params->samples ? params->samples : many_samples,
+                        .moving = moving,
+                        .whole = params->record && state->playing,
+                        .budget_s = (moving ? moving_budget_s : rest_budget_s) / side_count(state)};
+}
+
+bool picture_create(Picture *picture, const ViewParams *params, const Context *context, ViewState *state,
+                    Error *error) {
+    *picture = (Picture){.params = params, .context = context};
+    state->clock_running = toy_is(params->library, params->path);
+    return !state->clock_running || toy_compile(&picture->toy, context, params->library, params->path, error);
+}
+
+void picture_destroy(Picture *picture) {
+    inspect_destroy(&picture->inspect);
+    for (int i = 0; i < MOST_SIDES; i++) pane_destroy(&picture->panes[i]);
+    toy_destroy(&picture->toy);
+}
+
+static bool update_side(Picture *picture, ViewState *state, int side, Error *refusal, Error *error) {
+    Scene scene = view_scene(state, side);
+    PaneParams params = pane_params(picture, state, side, &scene);
+    Pane *pane = &picture->panes[side];
+    if (pane_update(pane, &params, error)) {
+        if (pane->changed) picture->changed = clock_seconds();
+        picture->pictures += pane->changed;
+        return true;
+    }
+    if (!view_is_refusal(error) || !picture->panes[0].renderer.gl) return false;
+    *refusal = *error;
+    if (!pane->renderer.gl) state->split = state->difference = false;
+    state->scene = picture->good_scene;
+    memcpy(state->methods, picture->good_methods, sizeof state->methods);
+    return true;
+}
+
+bool picture_update(Picture *picture, ViewState *state, Error *refusal, Error *error) {
+    refusal->status = STATUS_DONE;
+    if (is_toy(picture))
+        return toy_resize(&picture->toy, picture->context, picture->width, picture->height, error);
+    if (picture->wants_time) state->scene.time_s = state->clock_seconds;
+    if (picture->wants_mouse) view_mouse(state, picture->height, state->scene.mouse);
+    for (int i = 0; i < side_count(state); i++) {
+        if (!update_side(picture, state, i, refusal, error)) return false;
+    }
+    if (!state->split && picture->panes[1].renderer.gl) pane_destroy(&picture->panes[1]);
+    picture->good_scene = state->scene;
+    memcpy(picture->good_methods, state->methods, sizeof picture->good_methods);
+    return true;
+}
+
+static bool draw_toy(Picture *picture, const ViewState *state, bool *drew, Error *error) {
+    double mouse[4];
+    if (picture_rests(picture, state)) return true;
+    *drew = true;
+    view_mouse(state, picture->height, mouse);
+    return toy_draw(&picture->toy, rest_budget_s, state->clock_seconds, mouse, error);
+}
+
+bool picture_draw(Picture *picture, const ViewState *state, bool *drew, Error *error) {
+    if (is_toy(picture)) return draw_toy(picture, state, drew, error);
+    for (int i = 0; i < side_count(state); i++) {
+        Scene scene = view_scene(state, i);
+        PaneParams params = pane_params(picture, state, i, &scene);
+        Pane *pane = &picture->panes[i];
+        *drew |= !pane_rests(pane, &params);
+        if (!pane_draw(pane, &params, error)) return false;
+    }
+    return true;
+}
+
+bool picture_rests(const Picture *picture, const ViewState *state) {
+    const Toy *toy = &picture->toy;
+    if (is_toy(picture)) return !state->clock_running && toy->frame > 0 && toy->row == 0;
+    for (int i = 0; i < side_count(state); i++) {
+        PaneParams params = pane_params(picture, state, i, NULL);
+        if (!pane_rests(&picture->panes[i], &params)) return false;
+    }
+    return true;
+}
+
+/* Of all sides, or of none. */
+static bool reload_sides(Picture *picture, const ViewState *state, Error *error) {
+    Renderer next[MOST_SIDES] = {{0}};
+    Scene scenes[MOST_SIDES];
+    PaneParams params[MOST_SIDES];
+    bool ok = true;
+    for (int i = 0; ok && i < side_count(state); i++) {
+        scenes[i] = view_scene(state, i);
+        params[i] = pane_params(picture, state, i, &scenes[i]);
+        ok = pane_compile(&params[i], &next[i], error);
+    }
+    for (int i = 0; i < side_count(state); i++) {
+        if (ok)
+            pane_take(&picture->panes[i], &params[i], &next[i]);
+        else
+            renderer_destroy(&next[i]);
+    }
+    return ok;
+}
+
+static bool reload_content(Picture *picture, ViewState *state, bool toy, Error *error) {
+    const ViewParams *params = picture->params;
+    if (toy) {
+        if (!toy_compile(&picture->toy, picture->context, params->library, params->path, error)) return false;
+        for (int i = 0; i < MOST_SIDES; i++) pane_destroy(&picture->panes[i]);
+        return true;
+    }
+    if (!reload_sides(picture, state, error)) return false;
+    toy_destroy(&picture->toy);
+    return true;
+}
+
+bool picture_reload(Picture *picture, ViewState *state, Error *error) {
+    Scene before = state->scene, file;
+    bool toy = toy_is(picture->params->library, picture->params->path);
+    if (!picture->params->load(picture->params->data, &file, error)) return false;
+    state->scene = file;
+    carry_over(&state->scene, &state->file, &before);
+    if (!reload_content(picture, state, toy, error)) {
+        state->scene = before;
+        scene_destroy(&file);
+        return false;
+    }
+    scene_destroy(&state->file);
+    state->file = file;
+    picture->good_scene = state->scene;
+    picture->pictures++;
+    inspect_destroy(&picture->inspect);
+    return true;
+}
+
+static const char *word(const char *text) {
+    return *text ? text : NULL;
+}
+
+void picture_watch(Picture *picture, const ViewState *state, Watch *watch) {
+    Scene scene = state->scene;
+    const MethodNames *methods = &state->methods[0];
+    RenderParams params = {.scene = &scene,
+                           .library = picture->params->library,
+                           .sky = word(methods->sky),
+                           .light = word(methods->light),
+                           .sequence = word(methods->sequence)};
+    GlslSource source = {0};
+    Error error;
+    bool toy = is_toy(picture);
+    bool read = toy ? glsl_source_create(&source, params.library, picture->params->path, NULL, &error)
+                    : renderer_flatten(&params, &source, &error);
+    watch_add_file(watch, picture->params->path);
+    if (read) watch_add(watch, params.library, &source);
+    picture->wants_time = read && !toy && glsl_source_mentions(&source, "iTime");
+    picture->wants_mouse = read && !toy && glsl_source_mentions(&source, "iMouse");
+    glsl_source_destroy(&source);
+}
+
+static DisplaySide display_side(const Pane *pane) {
+    const Film *film = &pane->renderer.film;
+    bool has_picture = film->samples > 0 || !pane->kept.target.gl;
+    if (has_picture) return (DisplaySide){film, NULL, 0};
+    return (DisplaySide){&pane->kept, film, pane->renderer.row};
+}
+
+DisplayParams picture_display(const Picture *picture, const ViewState *state) {
+    DisplayParams params = {.width = picture->width,
+                            .height = picture->height,
+                            .divider = state->divider,
+                            .exposure_ev = state->scene.exposure_ev};
+    double mean = picture->panes[0].mean;
+    if (is_toy(picture)) {
+        params.raw = toy_texture(&picture->toy);
+        return params;
+    }
+    for (int i = 0; i < side_count(state); i++) params.sides[i] = display_side(&picture->panes[i]);
+    if (state->difference) params.difference = state->difference_percent / 100 * (mean > 0 ? mean : 1);
+    return params;
+}
+
+static void fill_side(SideFigures *figures, const Pane *pane) {
+    const Renderer *renderer = &pane->renderer;
+    if (!renderer->gl) return;
+    snprintf(figures->methods, sizeof figures->methods, "%s, %s, %s, disk %s", renderer->sky.choice.text,
+             renderer->light.text, renderer->sequence.text, renderer->sun_disk.text);
+    figures->samples = renderer->film.samples;
+    figures->error_percent = pane->error_percent;
+    figures->paths_per_second = pane->paths_per_second;
+    figures->seconds = pane->seconds;
+    figures->coarseness = pane->preview_samples ? pane->coarseness : 1;
+    figures->curve = pane->curve;
+}
+
+/* Not known either while the scene's file is broken. */
+static bool fill_pixel(Picture *picture, const ViewState *state, PixelFigures *pixel, Error *error) {
+    int side = state->split && state->pointer[0] > state->divider * picture->width ? 1 : 0;
+    const Pane *pane = &picture->panes[side];
+    pixel->known = false;
+    if (!state->inspect || pane->preview_samples || !pane->renderer.gl) return true;
+    RenderParams params = {.scene = &state->scene, .library = picture->params->library};
+    return inspect_pixel(&picture->inspect, picture->context, &params, &pane->renderer,
+                         (int)floor(state->pointer[0]), (int)floor(state->pointer[1]), pixel, error) ||
+           view_is_refusal(error);
+}
+
+bool picture_figures(Picture *picture, const ViewState *state, ViewFigures *figures, Error *error) {
+    figures->width = picture->width;
+    figures->height = picture->height;
+    figures->gl_renderer = picture->context->renderer;
+    figures->scene = !is_toy(picture);
+    if (is_toy(picture)) {
+        figures->sides[0] =
+            (SideFigures){.samples = (uint64_t)picture->toy.frame, .error_percent = NAN, .coarseness = 1};
+        return true;
+    }
+    for (int i = 0; i < MOST_SIDES; i++) fill_side(&figures->sides[i], &picture->panes[i]);
+    return fill_pixel(picture, state, &figures->pixel, error);
+}
+
+bool picture_is_whole(const Picture *picture, const ViewState *state) {
+    if (is_toy(picture)) return picture->toy.frame > 0;
+    for (int i = 0; i < side_count(state); i++) {
+        if (picture->panes[i].preview_samples || !picture->panes[i].renderer.film.samples) return false;
+    }
+    return true;
+}
+
+bool picture_save(const Picture *picture, const ViewState *state, const char *name, bool exr, Error *error) {
+    SaveParams params = {.sides = {&picture->panes[0], state->split ? &picture->panes[1] : NULL},
+                         .divider = state->divider,
+                         .scene = &state->scene,
+                         .context = picture->context,
+                         .max_hits = picture->params->max_hits};
+    if (is_toy(picture)) return save_texture(&picture->toy.target, picture->params->path, name, exr, error);
+    return save_picture(&params, name, exr, error);
+}

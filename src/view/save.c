@@ -1,0 +1,121 @@
+#include "view/save.h"
+
+#include "base/version.h"
+#include "render/describe.h"
+#include "view/command.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+void save_choose_name(const Scene *scene, char *name, size_t size) {
+    const char *slash = strrchr(scene->path, '/'), *stem = slash ? slash + 1 : scene->path;
+    char path[512];
+    for (int number = 1; number < 100000; number++) {
+        snprintf(name, size, "%.*s-%03d", (int)strcspn(stem, "."), stem, number);
+        snprintf(path, sizeof path, "%s.exr", name);
+        if (access(path, F_OK) == 0) continue;
+        snprintf(path, sizeof path, "%s.png", name);
+        if (access(path, F_OK) != 0) return;
+    }
+}
+
+static void add_layer(Image *image, const char *name, const Image *side) {
+    float *data = image_add_layer(image, name, "RGB");
+    size_t values = 3 * (size_t)side->width * (size_t)side->height;
+    for (size_t i = 0; i < values; i++) data[i] = side->rgba[i / 3 * 4 + i % 3];
+}
+
+/* Puts the second side right of the divider, and both as layers. */
+static bool join(const SaveParams *params, Image *image, Error *error) {
+    Image second;
+    FilmCount count;
+    if (!params->sides[1]) return true;
+    if (!film_read(&params->sides[1]->renderer.film, &second, &count, error)) return false;
+    if (second.width == image->width && second.height == image->height) {
+        int from = (int)round(params->divider * image->width);
+        add_layer(image, "left", image);
+        add_layer(image, "right", &second);
+        for (int y = 0; y < image->height && from < image->width; y++) {
+            size_t at = 4 * ((size_t)y * (size_t)image->width + (size_t)from);
+            memcpy(image->rgba + at, second.rgba + at,
+                   4 * (size_t)(image->width - from) * sizeof *image->rgba);
+        }
+    }
+    image_free(&second);
+    return true;
+}
+
+static void describe(const SaveParams *params, const FilmCount *count, AttributeList *list) {
+    const Pane *pane = params->sides[0];
+    Text command = {0};
+    view_command(params->scene, &pane->renderer, params->max_hits, &command);
+    attribute_add(list, "magichour.version", "%s", MAGICHOUR_VERSION);
+    attribute_add(list, "magichour.command", "%s", text_string(&command));
+    attribute_add(list, "magichour.samples", "%" PRIu64, pane->renderer.film.samples);
+    attribute_add(list, "magichour.depth", "%d", params->max_hits);
+    attribute_add(list, "magichour.rejected", "%" PRIu64, count->rejected);
+    attribute_add(list, "magichour.seconds", "%.6f", pane->seconds);
+    describe_picture(list, params->scene, &pane->renderer, params->context);
+    if (params->sides[1]) {
+        const Renderer *right = &params->sides[1]->renderer;
+        attribute_add(list, "magichour.right",
+                      "sky %s, light %s, sequence %s, sun elevation %.9g azimuth %.9g",
+                      right->sky.choice.text, right->light.text, right->sequence.text,
+                      params->sides[1]->scene.sun_elevation_deg, params->sides[1]->scene.sun_azimuth_deg);
+    }
+    text_free(&command);
+}
+
+static bool write_files(const Image *image, const ImageWriteParams *params, const char *name, bool exr,
+                        Error *error) {
+    char path[4200];
+    snprintf(path, sizeof path, "%s.exr", name);
+    if (exr && !image_write(image, path, params, error)) return false;
+    snprintf(path, sizeof path, "%s.png", name);
+    return image_write(image, path, params, error);
+}
+
+bool save_picture(const SaveParams *params, const char *name, bool exr, Error *error) {
+    AttributeList attributes = {0};
+    ImageWriteParams write = {.exposure_ev = params->scene->exposure_ev, .attributes = &attributes};
+    Image image;
+    FilmCount count;
+    if (!film_read(&params->sides[0]->renderer.film, &image, &count, error)) return false;
+    describe(params, &count, &attributes);
+    bool ok = join(params, &image, error) && write_files(&image, &write, name, exr, error);
+    attribute_list_free(&attributes);
+    image_free(&image);
+    return ok;
+}
+
+/* IEC 61966-2-1. */
+static float linear_from_srgb(float v) {
+    v = fminf(fmaxf(v, 0.0f), 1.0f);
+    return v <= 0.04045f ? v / 12.92f : powf((v + 0.055f) / 1.055f, 2.4f);
+}
+
+bool save_texture(const Target *target, const char *path, const char *name, bool exr, Error *error) {
+    AttributeList attributes = {0};
+    ImageWriteParams write = {.tone = TONE_NONE, .attributes = &attributes};
+    Image image = image_create(target->width, target->height);
+    size_t row = 4 * (size_t)image.width;
+    float *texels = memory_get(row * (size_t)image.height, sizeof *texels);
+    bool ok = target_read(target, 0, texels, error);
+    for (int y = 0; y < image.height; y++) {
+        for (size_t i = 0; i < row; i++) {
+            float v = texels[(size_t)(image.height - 1 - y) * row + i];
+            image.rgba[(size_t)y * row + i] = i % 4 < 3 ? linear_from_srgb(v) : 1.0f;
+        }
+    }
+    attribute_add(&attributes, "magichour.version", "%s", MAGICHOUR_VERSION);
+    attribute_add(&attributes, "magichour.scene", "%s", path);
+    ok = ok && write_files(&image, &write, name, exr, error);
+    attribute_list_free(&attributes);
+    image_free(&image);
+    free(texels);
+    return ok;
+}

@@ -1,0 +1,100 @@
+#include "view/state.h"
+
+#include "base/clock.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+void view_notice(ViewState *state, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(state->notice.text, sizeof state->notice.text, format, arguments);
+    va_end(arguments);
+    state->notice.failed = false;
+    state->notice.said = clock_seconds();
+}
+
+void view_failure(ViewState *state, const char *text) {
+    view_notice(state, "%s", text);
+    state->notice.failed = true;
+}
+
+bool view_has_notice(const ViewState *state) {
+    return state->notice.text[0] && (state->notice.failed || clock_seconds() < state->notice.said + 5);
+}
+
+bool view_is_refusal(const Error *error) {
+    return error->status == STATUS_USAGE || error->status == STATUS_SCENE;
+}
+
+Scene view_scene(const ViewState *state, int side) {
+    Scene scene = state->scene;
+    if (side == 1 && state->own_sun) {
+        scene.sun_elevation_deg = state->own_elevation_deg;
+        scene.sun_azimuth_deg = state->own_azimuth_deg;
+    }
+    return scene;
+}
+
+void view_set_sun(ViewState *state, int side, double elevation_deg, double azimuth_deg) {
+    bool own = side == 1 && state->own_sun;
+    double elevation = fmin(fmax(elevation_deg, -90), 90);
+    double azimuth = azimuth_deg - 360 * floor(azimuth_deg / 360);
+    *(own ? &state->own_elevation_deg : &state->scene.sun_elevation_deg) = elevation;
+    *(own ? &state->own_azimuth_deg : &state->scene.sun_azimuth_deg) = azimuth;
+    state->playing = false;
+}
+
+void view_own_sun(ViewState *state, bool own) {
+    state->own_sun = own;
+    state->own_elevation_deg = state->scene.sun_elevation_deg;
+    state->own_azimuth_deg = state->scene.sun_azimuth_deg;
+}
+
+void view_mouse(const ViewState *state, int height, double mouse[4]) {
+    double sign = state->left_down ? 1 : -1;
+    mouse[0] = state->dragged[0];
+    mouse[1] = height - state->dragged[1];
+    mouse[2] = sign * state->pressed[0];
+    mouse[3] = sign * (height - state->pressed[1]);
+}
+
+void view_choose_preset(ViewState *state, const char *name) {
+    Error error;
+    Scene scene = state->scene;
+    scene.exposure_ev = state->file.exposure_ev;
+    state->playing = false;
+    if (!scene_choose_preset(&scene, name, &error) || !scene_check(&scene, &error)) {
+        view_failure(state, error.text);
+        return;
+    }
+    state->scene = scene;
+    view_notice(state, "preset %s", name);
+}
+
+void view_choose_time(ViewState *state, int time) {
+    static const struct {
+        const char *name;
+        double elevation_deg, exposure_ev;
+    } times[] = {{"noon", 60, 0}, {"afternoon", 30, 0}, {"sunset", 5, 0.5}, {"early-evening", -2, 4}};
+    for (int i = 0; i < state->scene.preset_count; i++) {
+        if (strcmp(state->scene.presets[i].name, times[time].name) == 0) {
+            view_choose_preset(state, times[time].name);
+            return;
+        }
+    }
+    view_set_sun(state, 0, times[time].elevation_deg, state->scene.sun_azimuth_deg);
+    state->scene.exposure_ev = state->file.exposure_ev + times[time].exposure_ev;
+    view_notice(state, "%s", times[time].name);
+}
+
+void view_annotations(const ViewState *state, char *out, size_t size) {
+    const Scene *s = &state->scene;
+    snprintf(out, size,
+             "//@ camera  eye %.6g %.6g %.6g  target %.6g %.6g %.6g  fov %.6g\n"
+             "//@ sun     elevation %.6g  azimuth %.6g\n",
+             s->eye[0], s->eye[1], s->eye[2], s->target[0], s->target[1], s->target[2], s->fov_deg,
+             s->sun_elevation_deg, s->sun_azimuth_deg);
+}

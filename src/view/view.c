@@ -1,0 +1,282 @@
+#include "view/view.h"
+
+#include "base/clock.h"
+#include "view/controls.h"
+#include "view/log.h"
+#include "view/overlay.h"
+#include "view/picture.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const double rest_interval_s = 0.06; /* between pictures shown at rest, when nobody does anything */
+
+typedef struct View {
+    const ViewParams *params;
+    ViewState state;
+    Window window;
+    Overlay *overlay;
+    Display display;
+    Picture picture;
+    Watch watch;
+    Controls controls;
+    ViewFigures figures;
+    double heard;                /* when the first event came that no picture has answered yet; 0 for none */
+    double polled, shown, flown; /* when this was done last */
+    bool news;                   /* there is more to show than was */
+    int linger;                  /* pictures to show whatever happens: the overlay needs some to settle */
+    int frames, recorded;
+} View;
+
+/* Says what is wrong, in the window and on standard error. */
+static void say_failure(View *view, const Error *error) {
+    view_failure(&view->state, error->text);
+    fprintf(stderr, "magichour: %s\n", error->text);
+}
+
+static bool show(View *view, Error *error) {
+    DisplayParams params = picture_display(&view->picture, &view->state);
+    if (!display_draw(&view->display, &params, error)) return false;
+    overlay_draw(view->overlay);
+    if (!gl_check(&view->window.context.gl, "drawing the overlay", error)) return false;
+    window_present(&view->window);
+    return true;
+}
+
+static void log_frame(const View *view, double latency_s) {
+    const ViewState *state = &view->state;
+    const SideFigures *side = &view->figures.sides[0];
+    log_begin("frame");
+    log_number("frame", view->frames);
+    log_number("frame_ms", 1e3 * view->figures.frame_s);
+    log_number("latency_ms", 1e3 * latency_s);
+    log_number("width", view->window.width);
+    log_number("height", view->window.height);
+    log_number("elevation", state->scene.sun_elevation_deg);
+    log_number("azimuth", state->scene.sun_azimuth_deg);
+    log_number("exposure", state->scene.exposure_ev);
+    log_number("eye_x", state->scene.eye[0]);
+    log_number("eye_y", state->scene.eye[1]);
+    log_number("eye_z", state->scene.eye[2]);
+    log_number("sides", state->split ? 2 : 1);
+    log_number("picture", view->picture.pictures);
+    log_number("coarseness", side->coarseness);
+    log_number("samples", (double)side->samples);
+    log_number("error_percent", side->error_percent);
+    log_number("paths_per_s", side->paths_per_second);
+    log_end();
+}
+
+static bool reload_if_changed(View *view, Error *error) {
+    if (!watch_changed(&view->watch)) return true;
+    double start = clock_seconds();
+    bool ok = picture_reload(&view->picture, &view->state, error);
+    if (ok)
+        view_notice(&view->state, "%s: read again", view->params->path);
+    else if (view_is_refusal(error))
+        say_failure(view, error);
+    else
+        return false;
+    picture_watch(&view->picture, &view->state, &view->watch);
+    view->heard = view->heard > 0 ? view->heard : start;
+    log_begin("reload");
+    log_text("result", ok ? "good" : "broken");
+    log_text("message", ok ? "" : error->text);
+    log_number("seconds", clock_seconds() - start);
+    log_end();
+    return true;
+}
+
+static void copy_annotations(View *view) {
+    char text[512];
+    view_annotations(&view->state, text, sizeof text);
+    window_set_clipboard(&view->window, text);
+    view_notice(&view->state, "copied:\n%s", text);
+    log_begin("copy");
+    log_text("text", text);
+    log_end();
+}
+
+/* The picture at rest, as soon as there is one. What cannot be written is said, and nothing else. */
+static void save_if_wished(View *view) {
+    ViewState *state = &view->state;
+    char name[300];
+    Error error;
+    if (!state->wishes.save || !picture_is_whole(&view->picture, state)) return;
+    state->wishes.save = false;
+    save_choose_name(&state->scene, name, sizeof name);
+    bool ok = picture_save(&view->picture, state, name, true, &error);
+    if (ok)
+        view_notice(state, "saved %s.exr and .png", name);
+    else
+        say_failure(view, &error);
+    log_begin("save");
+    log_text("name", name);
+    log_text("message", ok ? "" : error.text);
+    log_number("samples", (double)view->figures.sides[0].samples);
+    log_end();
+}
+
+/* Recording: the sun goes on when a frame is done, and the window closes when the day is. */
+static bool record(View *view, Error *error) {
+    static const double frames_per_second = 25;
+    ViewState *state = &view->state;
+    char name[4096];
+    double step = state->hours_per_second / frames_per_second;
+    if (!picture_rests(&view->picture, state)) return true;
+    snprintf(name, sizeof name, "%s/frame-%05d", view->params->record, ++view->recorded);
+    if (!picture_save(&view->picture, state, name, false, error)) return false;
+    log_begin("recorded");
+    log_text("name", name);
+    log_end();
+    day_advance(&state->day, step);
+    day_sun(&state->day, &state->scene.sun_elevation_deg, &state->scene.sun_azimuth_deg);
+    if (view->recorded * step >= day_length(&state->day)) state->wishes.quit = true;
+    return true;
+}
+
+static void pass_time(View *view) {
+    ViewState *state = &view->state;
+    double now = clock_seconds(), passed = fmin(now - view->flown, 0.1);
+    view->flown = now;
+    controls_fly(&view->controls, state, passed);
+    if (state->clock_running) state->clock_seconds += passed;
+    if (!state->playing || view->params->record) return;
+    day_advance(&state->day, passed * state->hours_per_second);
+    day_sun(&state->day, &state->scene.sun_elevation_deg, &state->scene.sun_azimuth_deg);
+}
+
+/* The first event since the last picture was shown is dated back to the poll before it: it may have come
+ * right after that. */
+static void hear(View *view, double wait_s) {
+    double before = clock_seconds();
+    Window *window = &view->window;
+    window_poll(window, wait_s);
+    if (window->event_count && !(view->heard > 0)) view->heard = wait_s > 0 ? clock_seconds() : view->polled;
+    view->polled = before;
+    for (int i = 0; i < window->event_count; i++) {
+        const WindowEvent *event = &window->events[i];
+        if (!overlay_event(view->overlay, event, view->state.overlay))
+            controls_event(&view->controls, &view->state, event, window->width, window->height);
+    }
+    if (window->event_count || window->exposed) view->linger = 3;
+}
+
+static bool present(View *view, Error *error) {
+    if (!show(view, error)) return false;
+    double now = clock_seconds();
+    view->figures.frame_s = now - view->shown;
+    log_frame(view, view->heard > 0 ? now - view->heard : 0);
+    view->shown = now;
+    view->heard = 0;
+    view->frames++;
+    if (view->linger) view->linger--;
+    return true;
+}
+
+/* One turn of the loop. */
+static bool turn(View *view, Error *error) {
+    ViewState *state = &view->state;
+    bool busy = !view->frames || view->linger || state->playing || !picture_rests(&view->picture, state);
+    Error refusal;
+    hear(view, busy && view->window.width ? 0 : 0.05);
+    if (!reload_if_changed(view, error)) return false;
+    pass_time(view);
+    if (state->wishes.copy) copy_annotations(view);
+    state->wishes.copy = false;
+    if (!view->window.width) return true;
+    view->picture.width = view->window.width;
+    view->picture.height = view->window.height;
+    bool due = view->linger || !view->frames || state->playing || state->clock_running ||
+               picture_moves(&view->picture) || clock_seconds() > view->shown + rest_interval_s;
+    if (due) {
+        if (!picture_figures(&view->picture, state, &view->figures, error)) return false;
+        overlay_build(view->overlay, state, &view->figures);
+    }
+    if (!picture_update(&view->picture, state, &refusal, error)) return false;
+    if (refusal.status != STATUS_DONE) say_failure(view, &refusal);
+    bool drew = false;
+    if (!picture_draw(&view->picture, state, &drew, error)) return false;
+    view->news |= drew;
+    if (drew && picture_rests(&view->picture, state)) view->linger = 2; /* the last figures too */
+    save_if_wished(view);
+    if (view->params->record && state->playing && !record(view, error)) return false;
+    if (!due || !(view->news || view->linger)) return true;
+    view->news = false;
+    return present(view, error);
+}
+
+static bool open_window(View *view, Error *error) {
+    const ViewParams *params = view->params;
+    const Scene *scene = &view->state.file;
+    char title[200];
+    snprintf(title, sizeof title, "%s - magichour", scene->title[0] ? scene->title : params->path);
+    int width = params->width ? params->width : scene->width,
+        height = params->height ? params->height : scene->height;
+    if (!scene_check_size(width, height, error)) return false;
+    if (!window_open(&view->window, title, width, height, error)) {
+        error_prefix(error, "view needs a display, `magichour render %s -o FILE.png` none; ", params->path);
+        return false;
+    }
+    view->figures.scale = view->window.scale;
+    view->overlay = overlay_create(&view->window, error);
+    return view->overlay && display_create(&view->display, &view->window.context, params->library, error) &&
+           picture_create(&view->picture, params, &view->window.context, &view->state, error);
+}
+
+static void start_state(ViewState *state, const ViewParams *params) {
+    state->scene = state->file;
+    state->methods[0] = state->methods[1] = params->methods;
+    snprintf(state->methods[1].light, sizeof state->methods[1].light, "cosine");
+    snprintf(state->methods[1].sequence, sizeof state->methods[1].sequence, "random");
+    state->divider = 0.5;
+    state->difference_percent = 10;
+    state->hours_per_second = 1;
+    state->clock_seconds = state->file.time_s;
+    state->overlay = true;
+    state->playing = params->record != NULL;
+    state->day = day_through(state->scene.sun_elevation_deg, state->scene.sun_azimuth_deg);
+}
+
+static void log_start(const View *view, double started) {
+    log_begin("start");
+    log_text("scene", view->params->path);
+    log_text("gl_renderer", view->window.context.renderer);
+    log_number("width", view->window.width);
+    log_number("height", view->window.height);
+    log_number("startup_seconds", clock_seconds() - started);
+    log_end();
+}
+
+static void destroy(View *view) {
+    /* What OpenGL holds goes with its context, which may be lost. */
+    if (view->window.handle) {
+        picture_destroy(&view->picture);
+        display_destroy(&view->display);
+        overlay_destroy(view->overlay);
+        window_close(&view->window);
+    }
+    watch_free(&view->watch);
+    scene_destroy(&view->state.file);
+}
+
+bool view_run(const ViewParams *params, Error *error) {
+    View view = {.params = params};
+    double started = clock_seconds();
+    if (!params->load(params->data, &view.state.file, error)) return false;
+    start_state(&view.state, params);
+    bool ok = open_window(&view, error);
+    if (ok) {
+        picture_watch(&view.picture, &view.state, &view.watch);
+        view.flown = view.polled = view.shown = clock_seconds();
+        log_start(&view, started);
+    }
+    while (ok && !view.window.closed && !view.state.wishes.quit && !(params->stop && params->stop()))
+        ok = turn(&view, error);
+    log_begin("end");
+    log_text("message", ok ? "" : error->text);
+    log_number("frames", view.frames);
+    log_end();
+    destroy(&view);
+    return ok;
+}

@@ -1,0 +1,81 @@
+#include "view/watch.h"
+
+#include "base/clock.h"
+
+#include <dirent.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* What tells one state of a file from another. All 0 where there is none. */
+typedef struct Stamp {
+    long long seconds, nanoseconds, size, node;
+} Stamp;
+
+struct WatchedFile {
+    char *path;
+    Stamp stamp;
+};
+
+static const double interval_s = 0.1;
+
+static Stamp stamp_of(const char *path) {
+    struct stat status;
+    if (stat(path, &status) != 0) return (Stamp){0};
+    return (Stamp){status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size, (long long)status.st_ino};
+}
+
+void watch_add_file(Watch *watch, const char *path) {
+    for (int i = 0; i < watch->count; i++) {
+        if (strcmp(watch->files[i].path, path) == 0) return;
+    }
+    watch->files = memory_grow(watch->files, (size_t)watch->count + 1, sizeof *watch->files);
+    watch->files[watch->count++] = (WatchedFile){strdup(path), stamp_of(path)};
+}
+
+static void add_folder(Watch *watch, const char *folder, int depth) {
+    DIR *entries = opendir(folder);
+    if (!entries) return;
+    for (struct dirent *entry; (entry = readdir(entries));) {
+        if (entry->d_name[0] == '.') continue;
+        Text path = {0};
+        text_print(&path, "%s/%s", folder, entry->d_name);
+        const char *dot = strrchr(entry->d_name, '.');
+        struct stat status;
+        bool known = stat(text_string(&path), &status) == 0;
+        if (known && S_ISDIR(status.st_mode) && depth < 4) add_folder(watch, text_string(&path), depth + 1);
+        if (known && S_ISREG(status.st_mode) && dot && strcmp(dot, ".glsl") == 0)
+            watch_add_file(watch, text_string(&path));
+        text_free(&path);
+    }
+    closedir(entries);
+}
+
+void watch_add(Watch *watch, const char *library, const GlslSource *source) {
+    add_folder(watch, library, 0);
+    for (int i = 0; i < source->file_count; i++) {
+        if (source->files[i][0] != '<') watch_add_file(watch, source->files[i]);
+    }
+}
+
+void watch_free(Watch *watch) {
+    for (int i = 0; i < watch->count; i++) free(watch->files[i].path);
+    free(watch->files);
+    *watch = (Watch){0};
+}
+
+bool watch_changed(Watch *watch) {
+    bool changed = false;
+    if (clock_seconds() < watch->looked + interval_s) return false;
+    watch->looked = clock_seconds();
+    for (int i = 0; i < watch->count; i++) {
+        WatchedFile *file = &watch->files[i];
+        Stamp stamp = stamp_of(file->path);
+        if (memcmp(&stamp, &file->stamp, sizeof stamp) == 0) continue;
+        file->stamp = stamp;
+        changed = true;
+    }
+    bool settled = watch->unsettled && !changed;
+    watch->unsettled = changed;
+    return settled;
+}

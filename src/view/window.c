@@ -1,0 +1,152 @@
+#include "view/window.h"
+
+#include "base/text.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <stdlib.h>
+
+static Window *window_of(GLFWwindow *handle) {
+    return glfwGetWindowUserPointer(handle);
+}
+
+static void push(Window *window, WindowEvent event) {
+    if (window->event_count == window->event_capacity) {
+        window->event_capacity = window->event_capacity ? 2 * window->event_capacity : 64;
+        window->events = memory_grow(window->events, (size_t)window->event_capacity, sizeof *window->events);
+    }
+    window->events[window->event_count++] = event;
+}
+
+static void on_key(GLFWwindow *handle, int key, int scancode, int action, int modifiers) {
+    push(window_of(handle),
+         (WindowEvent){
+             .kind = WINDOW_KEY, .key = key, .scancode = scancode, .action = action, .modifiers = modifiers});
+}
+
+static void on_text(GLFWwindow *handle, unsigned codepoint) {
+    push(window_of(handle), (WindowEvent){.kind = WINDOW_TEXT, .codepoint = codepoint});
+}
+
+static void on_button(GLFWwindow *handle, int button, int action, int modifiers) {
+    Window *window = window_of(handle);
+    push(window, (WindowEvent){.kind = WINDOW_BUTTON,
+                               .key = button,
+                               .action = action,
+                               .modifiers = modifiers,
+                               .x = window->pointer[0],
+                               .y = window->pointer[1]});
+}
+
+static void on_move(GLFWwindow *handle, double x, double y) {
+    Window *window = window_of(handle);
+    window->pointer[0] = x * window->scale;
+    window->pointer[1] = y * window->scale;
+    push(window, (WindowEvent){.kind = WINDOW_MOVE, .x = window->pointer[0], .y = window->pointer[1]});
+}
+
+static void on_scroll(GLFWwindow *handle, double x, double y) {
+    push(window_of(handle), (WindowEvent){.kind = WINDOW_SCROLL, .x = x, .y = y});
+}
+
+static void on_focus(GLFWwindow *handle, int focused) {
+    push(window_of(handle), (WindowEvent){.kind = WINDOW_FOCUS, .action = focused});
+}
+
+static void on_close(GLFWwindow *handle) {
+    window_of(handle)->closed = true;
+}
+
+static void on_refresh(GLFWwindow *handle) {
+    window_of(handle)->exposed = true;
+}
+
+static void measure(Window *window) {
+    int width, height, units, units_high, old_width = window->width, old_height = window->height;
+    glfwGetFramebufferSize(window->handle, &window->width, &window->height);
+    glfwGetWindowSize(window->handle, &units, &units_high);
+    width = window->width, height = window->height;
+    if (glfwGetWindowAttrib(window->handle, GLFW_ICONIFIED) || width < 1 || height < 1)
+        window->width = window->height = 0;
+    if (units > 0 && width > 0) window->scale = (double)width / units;
+    if (window->width != old_width || window->height != old_height) window->exposed = true;
+}
+
+static bool refuse(const char *step, Error *error) {
+    const char *reason = NULL;
+    glfwGetError(&reason);
+    return error_set(error, STATUS_NO_GL, "%s: %s", step, reason ? reason : "no reason given");
+}
+
+/* As wanted, or as large as the screen allows. */
+static GLFWwindow *create(const char *title, int width, int height) {
+    int x, y, most_width = 0, most_height = 0;
+    GLFWmonitor *monitor = glfwGetPrimaryMonitor();
+    if (monitor) glfwGetMonitorWorkarea(monitor, &x, &y, &most_width, &most_height);
+    if (most_width > 0 && width > most_width) width = most_width;
+    if (most_height > 0 && height > most_height) height = most_height;
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    return glfwCreateWindow(width, height, title, NULL, NULL);
+}
+
+bool window_open(Window *window, const char *title, int width, int height, Error *error) {
+    *window = (Window){.scale = 1};
+    if (!glfwInit()) return refuse("no display", error);
+    window->handle = create(title, width, height);
+    if (!window->handle) {
+        refuse("no window with OpenGL 3.3", error);
+        goto fail;
+    }
+    glfwSetWindowUserPointer(window->handle, window);
+    glfwSetKeyCallback(window->handle, on_key);
+    glfwSetCharCallback(window->handle, on_text);
+    glfwSetMouseButtonCallback(window->handle, on_button);
+    glfwSetCursorPosCallback(window->handle, on_move);
+    glfwSetScrollCallback(window->handle, on_scroll);
+    glfwSetWindowFocusCallback(window->handle, on_focus);
+    glfwSetWindowCloseCallback(window->handle, on_close);
+    glfwSetWindowRefreshCallback(window->handle, on_refresh);
+    glfwMakeContextCurrent(window->handle);
+    if (!context_adopt(&window->context, glfwGetProcAddress, error)) goto fail;
+    glfwSwapInterval(0); /* frames are paced by their work, and a wait would come out of it */
+    measure(window);
+    return true;
+fail:
+    window_close(window);
+    return false;
+}
+
+void window_close(Window *window) {
+    context_close(&window->context);
+    if (window->handle) glfwDestroyWindow(window->handle);
+    glfwTerminate();
+    free(window->events);
+    *window = (Window){0};
+}
+
+void window_poll(Window *window, double seconds) {
+    window->event_count = 0;
+    window->exposed = false;
+    if (seconds > 0)
+        glfwWaitEventsTimeout(seconds);
+    else
+        glfwPollEvents();
+    measure(window);
+}
+
+void window_present(Window *window) {
+    glfwSwapBuffers(window->handle);
+}
+
+void window_set_title(Window *window, const char *title) {
+    glfwSetWindowTitle(window->handle, title);
+}
+
+void window_set_clipboard(Window *window, const char *text) {
+    glfwSetClipboardString(window->handle, text);
+}

@@ -1,0 +1,282 @@
+#include "desktop.h"
+
+#include "base/clock.h"
+#include "base/text.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* Long, for slow machines and sanitizers; nothing waits as long as that unless it fails. */
+static const double patience_s = 30;
+
+struct Desktop {
+    pid_t server, program;
+    int number;
+    char log_path[512];
+    Text log;
+    size_t news;    /* where in the log */
+    double picture; /* the last one of before */
+};
+
+static bool has(const char *program) {
+    char command[128];
+    snprintf(command, sizeof command, "command -v %s >/dev/null 2>&1", program);
+    return system(command) == 0;
+}
+
+static void pause_ms(long ms) {
+    usleep((useconds_t)(1000 * ms));
+}
+
+/* Xvfb says which number it took. */
+static int start_server(Desktop *desktop, const char *folder) {
+    int ends[2];
+    char number[16] = "", descriptor[16];
+    if (pipe(ends) != 0) return -1;
+    desktop->server = fork();
+    if (desktop->server == 0) {
+        int nothing = open("/dev/null", O_RDWR);
+        dup2(nothing, 0), dup2(nothing, 1), dup2(nothing, 2);
+        close(ends[0]);
+        snprintf(descriptor, sizeof descriptor, "%d", ends[1]);
+        execlp("Xvfb", "Xvfb", "-displayfd", descriptor, "-screen", "0", "800x600x24", "-fbdir", folder,
+               "-nolisten", "tcp", (char *)NULL);
+        _exit(127);
+    }
+    close(ends[1]);
+    for (size_t got = 0; got < sizeof number - 1; got++) {
+        if (read(ends[0], number + got, 1) != 1 || number[got] == '\n') break;
+    }
+    close(ends[0]);
+    return *number ? atoi(number) : -1;
+}
+
+Desktop *desktop_start(void) {
+    if (!has("Xvfb") || !has("xdotool")) {
+        print_message("no Xvfb or no xdotool here\n");
+        skip();
+    }
+    Desktop *desktop = memory_get(1, sizeof *desktop);
+    char folder[512];
+    snprintf(folder, sizeof folder, "%s", support_path("."));
+    desktop->number = start_server(desktop, folder);
+    if (desktop->number < 0) fail_msg("Xvfb does not start");
+    snprintf(desktop->log_path, sizeof desktop->log_path, "%s", support_path("view.log"));
+    return desktop;
+}
+
+void desktop_stop(Desktop *desktop) {
+    if (!desktop) return;
+    if (desktop->program > 0) {
+        kill(desktop->program, SIGKILL);
+        waitpid(desktop->program, NULL, 0);
+    }
+    kill(desktop->server, SIGTERM);
+    waitpid(desktop->server, NULL, 0);
+    text_free(&desktop->log);
+    free(desktop);
+}
+
+static void read_log(Desktop *desktop) {
+    char buffer[65536];
+    size_t got;
+    FILE *file = fopen(desktop->log_path, "rb");
+    if (!file) return;
+    fseek(file, (long)desktop->log.size, SEEK_SET);
+    while ((got = fread(buffer, 1, sizeof buffer, file)) > 0) text_append(&desktop->log, buffer, got);
+    fclose(file);
+}
+
+const char *desktop_log(Desktop *desktop) {
+    read_log(desktop);
+    return text_string(&desktop->log);
+}
+
+void desktop_view(Desktop *desktop, const char *format, ...) {
+    char arguments[2048];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(arguments, sizeof arguments, format, list);
+    va_end(list);
+    Text command = {0};
+    const char *program = getenv("MAGICHOUR");
+    text_print(&command,
+               "here=$PWD; cd '%s' && DISPLAY=:%d exec '%s' view %s --progress json 2>'%s' </dev/null",
+               support_path("."), desktop->number, program ? program : "build/magichour", arguments,
+               desktop->log_path);
+    unlink(desktop->log_path);
+    text_free(&desktop->log);
+    desktop->news = 0;
+    desktop->picture = 0;
+    desktop->program = fork();
+    if (desktop->program == 0) {
+        execl("/bin/sh", "sh", "-c", text_string(&command), (char *)NULL);
+        _exit(127);
+    }
+    text_free(&command);
+    desktop_expect(desktop, "\"frame\": 3,", "");
+}
+
+int desktop_end(Desktop *desktop) {
+    int status = 0;
+    for (double end = clock_seconds() + patience_s; clock_seconds() < end; pause_ms(10)) {
+        if (waitpid(desktop->program, &status, WNOHANG) != desktop->program) continue;
+        desktop->program = 0;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+    fail_msg("the window does not close");
+    return -1;
+}
+
+void desktop_signal(Desktop *desktop, int signal) {
+    kill(desktop->program, signal);
+}
+
+static void run(const Desktop *desktop, const char *format, va_list list) {
+    char arguments[8192], command[8400];
+    vsnprintf(arguments, sizeof arguments, format, list);
+    snprintf(command, sizeof command, "DISPLAY=:%d xdotool %s >/dev/null", desktop->number, arguments);
+    if (system(command) != 0) fail_msg("xdotool %s failed", arguments);
+}
+
+void desktop_do(Desktop *desktop, const char *format, ...) {
+    va_list list;
+    read_log(desktop);
+    desktop->news = desktop->log.size;
+    desktop->picture = desktop_number(desktop, "picture");
+    va_start(list, format);
+    run(desktop, format, list);
+    va_end(list);
+}
+
+void desktop_also(Desktop *desktop, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    run(desktop, format, list);
+    va_end(list);
+}
+
+static bool line_has(const char *line, size_t length, const char *words) {
+    size_t size = strlen(words);
+    for (size_t i = 0; i + size <= length; i++) {
+        if (strncmp(line + i, words, size) == 0) return true;
+    }
+    return false;
+}
+
+static void show_end(Desktop *desktop, const char *wanted) {
+    const char *log = desktop_log(desktop);
+    size_t size = strlen(log);
+    print_message("waited in vain for '%s' in a log that ends:\n", wanted);
+    print_message("%s\n", log + (size > 900 ? size - 900 : 0));
+    fail();
+}
+
+const char *desktop_expect(Desktop *desktop, const char *words, const char *more_words) {
+    static char found[8192];
+    for (double end = clock_seconds() + patience_s; clock_seconds() < end; pause_ms(5)) {
+        read_log(desktop);
+        const char *line = text_string(&desktop->log) + desktop->news;
+        for (const char *next; (next = strchr(line, '\n')); line = next + 1) {
+            size_t length = (size_t)(next - line);
+            if (!line_has(line, length, words) || !line_has(line, length, more_words)) continue;
+            snprintf(found, sizeof found, "%.*s", (int)length, line);
+            return found;
+        }
+    }
+    show_end(desktop, words);
+    return "";
+}
+
+static bool number_in(const char *line, const char *name, double *value) {
+    char key[64];
+    snprintf(key, sizeof key, "\"%s\": ", name);
+    const char *at = strstr(line, key), *end = strchr(line, '\n');
+    return at && (!end || at < end) && sscanf(at + strlen(key), "%lf", value) == 1;
+}
+
+void desktop_expect_number(Desktop *desktop, const char *name, double low, double high) {
+    double value = -1e300;
+    for (double end = clock_seconds() + patience_s; clock_seconds() < end; pause_ms(5)) {
+        read_log(desktop);
+        const char *line = text_string(&desktop->log) + desktop->news;
+        for (const char *next; (next = strchr(line, '\n')); line = next + 1) {
+            if (number_in(line, name, &value) && value >= low && value <= high) return;
+        }
+    }
+    char wanted[128];
+    snprintf(wanted, sizeof wanted, "%s from %g to %g, it is %g", name, low, high, value);
+    show_end(desktop, wanted);
+}
+
+void desktop_expect_rest(Desktop *desktop, double samples) {
+    for (double end = clock_seconds() + patience_s; clock_seconds() < end; pause_ms(5)) {
+        read_log(desktop);
+        const char *line = text_string(&desktop->log) + desktop->news;
+        for (const char *next; (next = strchr(line, '\n')); line = next + 1) {
+            double picture, coarseness, taken;
+            if (number_in(line, "picture", &picture) && picture > desktop->picture &&
+                number_in(line, "coarseness", &coarseness) && coarseness < 2 &&
+                number_in(line, "samples", &taken) && taken >= samples) {
+                return;
+            }
+        }
+    }
+    show_end(desktop, "a picture at rest");
+}
+
+double desktop_number(Desktop *desktop, const char *name) {
+    double value = -1e300;
+    for (const char *line = desktop_log(desktop), *next; (next = strchr(line, '\n')); line = next + 1)
+        number_in(line, name, &value);
+    return value;
+}
+
+/* An XWD file that the server keeps up to date: a header in 25 big-endian words and more, a colour map, then
+ * rows of BGRX. */
+static unsigned char *read_screen(int *stride) {
+    unsigned char *data = NULL, *header;
+    long size = 0;
+    FILE *file = fopen(support_path("Xvfb_screen0"), "rb");
+    if (!file) fail_msg("the display has no screen");
+    fseek(file, 0, SEEK_END);
+    size = ftell(file);
+    rewind(file);
+    header = data = memory_get((size_t)size, 1);
+    if (fread(data, 1, (size_t)size, file) != (size_t)size) fail_msg("the screen cannot be read");
+    fclose(file);
+    unsigned word[25];
+    for (int i = 0; i < 25; i++, header += 4)
+        word[i] =
+            (unsigned)header[0] << 24 | (unsigned)header[1] << 16 | (unsigned)header[2] << 8 | header[3];
+    size_t start = word[0] + 12 * (size_t)word[19];
+    *stride = (int)word[12];
+    memmove(data, data + start, (size_t)size - start);
+    return data;
+}
+
+void desktop_mean(Desktop *desktop, int x, int y, int width, int height, double rgb[3]) {
+    (void)desktop;
+    int stride;
+    unsigned char *screen = read_screen(&stride);
+    rgb[0] = rgb[1] = rgb[2] = 0;
+    for (int row = y; row < y + height; row++) {
+        for (int column = x; column < x + width; column++) {
+            const unsigned char *pixel = screen + row * stride + 4 * column;
+            for (int c = 0; c < 3; c++) rgb[c] += pixel[2 - c] / ((double)width * height);
+        }
+    }
+    free(screen);
+}
+
+void desktop_pixel(Desktop *desktop, int x, int y, int rgb[3]) {
+    double mean[3];
+    desktop_mean(desktop, x, y, 1, 1, mean);
+    for (int c = 0; c < 3; c++) rgb[c] = (int)mean[c];
+}

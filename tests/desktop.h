@@ -1,0 +1,44 @@
+/* A display of the test's own (Xvfb), the window on it, hands (xdotool) and eyes: the screen's pixels, and
+ * the window's JSON log. */
+#pragma once
+
+#include "support.h"
+
+typedef struct Desktop Desktop;
+
+/* Starts the display; skips the test where Xvfb or xdotool is missing. */
+Desktop *desktop_start(void);
+void desktop_stop(Desktop *desktop);
+
+/* Starts `magichour view ARGUMENTS --progress json` on it, in the test's folder ($here is the folder of
+ * before), and waits for its first pictures; one at a time. */
+void desktop_view(Desktop *desktop, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Waits until the program has ended and gives its exit status. */
+int desktop_end(Desktop *desktop);
+void desktop_signal(Desktop *desktop, int signal);
+
+/* `xdotool ARGUMENTS`; what the log says from here on is news to the functions below. */
+void desktop_do(Desktop *desktop, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* The same, and the log's news goes on from where it was. */
+void desktop_also(Desktop *desktop, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Waits for a line of news with these words; both may be empty. Fails the test when none comes. */
+const char *desktop_expect(Desktop *desktop, const char *words, const char *more_words);
+
+/* Waits for a frame whose number `name` is in [low, high], and has the words. */
+void desktop_expect_number(Desktop *desktop, const char *name, double low, double high);
+
+/* Waits for a picture at rest with so many samples that began after what was done last. */
+void desktop_expect_rest(Desktop *desktop, double samples);
+
+/* The number of that name in the last frame. */
+double desktop_number(Desktop *desktop, const char *name);
+
+/* All that was logged since the program started. */
+const char *desktop_log(Desktop *desktop);
+
+/* The screen's pixels, 0 to 255: one, and the mean over a rectangle. */
+void desktop_pixel(Desktop *desktop, int x, int y, int rgb[3]);
+void desktop_mean(Desktop *desktop, int x, int y, int width, int height, double rgb[3]);
