@@ -30,7 +30,7 @@ SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$
 CASES := $(patsubst %.glsl,$(BUILD)/%,$(wildcard tests/oracle/cases/*.glsl))
 ORACLE := $(BUILD)/tests/oracle/oracle.o $(CASES:%=%_float.o) $(CASES:%=%_double.o)
 
-.PHONY: all demo gallery atlas honesty sheets test check lint format deps clean install FORCE
+.PHONY: all demo view check-view measure-view gallery atlas honesty sheets test check lint format deps clean install FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
@@ -110,6 +110,20 @@ test:
 
 check: $(BUILD)/magichour $(TESTS)
 	tests/run.sh $(BUILD)
+
+# The window, on the paper's scene.
+view:
+	tools/deps.sh build
+	$(MAKE) all
+	$(BUILD)/magichour view scenes/crater.glsl
+
+# The window under a storm of events and edits; best with MODE=asan. And its speed on this machine.
+check-view: $(BUILD)/magichour $(BUILD)/tests/test_view
+	MAGICHOUR=$$PWD/$< MAGICHOUR_EVENTS=1000 MAGICHOUR_RELOADS=200 \
+	LSAN_OPTIONS=suppressions=$$PWD/tests/lsan.supp:print_suppressions=0 $(BUILD)/tests/test_view test_storm
+
+measure-view: $(BUILD)/magichour $(BUILD)/tests/test_view
+	MAGICHOUR=$$PWD/$< $(BUILD)/tests/test_view measure scenes/crater.glsl 640x360
 
 lint:
 	tools/deps.sh build lint

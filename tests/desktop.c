@@ -139,10 +139,12 @@ void desktop_signal(Desktop *desktop, int signal) {
 }
 
 static void run(const Desktop *desktop, const char *format, va_list list) {
-    char arguments[8192], command[8400];
+    char arguments[32768];
+    Text command = {0};
     vsnprintf(arguments, sizeof arguments, format, list);
-    snprintf(command, sizeof command, "DISPLAY=:%d xdotool %s >/dev/null", desktop->number, arguments);
-    if (system(command) != 0) fail_msg("xdotool %s failed", arguments);
+    text_print(&command, "DISPLAY=:%d xdotool %s >/dev/null", desktop->number, arguments);
+    if (system(text_string(&command)) != 0) fail_msg("xdotool %s failed", arguments);
+    text_free(&command);
 }
 
 void desktop_do(Desktop *desktop, const char *format, ...) {

@@ -461,7 +461,77 @@ static void test_carry(void **state) {
     scene_destroy(&next);
 }
 
+enum { MOST_TIMES = 4096 };
+
+static int by_size(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void print_times(const char *what, double *times, int count) {
+    qsort(times, (size_t)count, sizeof *times, by_size);
+    if (count) printf("%s: %.0f ms (median), %.0f ms (worst)\n", what, times[count / 2], times[count - 1]);
+}
+
+/* From an event's arrival, at the earliest, to its picture, by the log from byte `from` on. */
+static void measure_answers(size_t from) {
+    double times[MOST_TIMES];
+    int count = 0;
+    for (const char *at = desktop_log(desktop) + from; (at = strstr(at, "\"latency_ms\": ")) && count < MOST_TIMES; at++) {
+        sscanf(at, "\"latency_ms\": %lf", &times[count]);
+        count += times[count] > 0;
+    }
+    print_times("from an event to its picture", times, count);
+}
+
+/* From a key to another pixel on the screen, with the time that xdotool takes to start. */
+static void measure_latency(void) {
+    enum { TIMES = 15 };
+    double times[TIMES];
+    for (int i = 0; i < TIMES; i++) {
+        double before[3], now[3];
+        usleep(1200000);
+        desktop_mean(desktop, 300, 20, 4, 4, before);
+        double start_s = clock_seconds();
+        desktop_do(desktop, "key --delay 0 %d", i % 2 ? 3 : 1);
+        do desktop_mean(desktop, 300, 20, 4, 4, now);
+        while (fabs(now[0] - before[0]) < 3 && clock_seconds() < start_s + 2);
+        times[i] = 1e3 * (clock_seconds() - start_s);
+    }
+    print_times("from xdotool's start to another pixel on the screen", times, TIMES);
+}
+
+/* Not a test: figures of this machine, for the scene and the size that are given. */
+static int measure(const char *scene, const char *size) {
+    double seconds = 3;
+    void *state = NULL;
+    if (support_folder(&state) != 0) return 1;
+    desktop = desktop_start();
+    desktop_view(desktop, "\"$here\"/%s --size %s", scene, size);
+    usleep(2000000);
+    Text script = {0};
+    text_print(&script, "mousemove 500 100 mousedown 3");
+    for (int i = 0; i < seconds / 0.015; i++) text_print(&script, " mousemove 500 %d sleep 0.015", 100 + i % 100);
+    size_t log = strlen(desktop_log(desktop));
+    double frames = desktop_number(desktop, "frame"), from = clock_seconds();
+    desktop_do(desktop, "%s", text_string(&script));
+    frames = desktop_number(desktop, "frame") - frames;
+    printf("%s %s: %.1f updates a second while the sun is dragged, 1 / %.0f of the size\n", scene, size,
+           frames / (clock_seconds() - from), desktop_number(desktop, "coarseness"));
+    measure_answers(log);
+    desktop_do(desktop, "mouseup 3");
+    usleep(2000000);
+    printf("after 2 s of rest: %.0f samples, estimated error %.2f %%\n", desktop_number(desktop, "samples"),
+           desktop_number(desktop, "error_percent"));
+    measure_latency();
+    text_free(&script);
+    quit();
+    desktop_stop(desktop);
+    return support_clean(&state);
+}
+
 int main(int argc, char **argv) {
+    if (argc > 3 && strcmp(argv[1], "measure") == 0) return measure(argv[2], argv[3]);
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_orbit),
