@@ -282,6 +282,18 @@ static void test_window(void **state) {
     assert_true(strchr(support_err, '\n') == support_err + strlen(support_err) - 1);
 }
 
+/* A day's first frames. */
+static void test_record(void **state) {
+    (void)state;
+    desktop_view(desktop, "\"$here\"/scenes/crater.glsl --size 64x36 --spp 4 --sun 20,0 --record .");
+    desktop_expect(desktop, "\"event\": \"recorded\"", "frame-00003");
+    desktop_do(desktop, "key t");
+    quit();
+    assert_int_equal(access(support_path("frame-00002.png"), F_OK), 0);
+    support_expect(5, "--record scenes/crater.glsl/x: no folder",
+                   "view scenes/crater.glsl --record scenes/crater.glsl/x");
+}
+
 #define TOY                                                                                                  \
     "void mainImage(out vec4 fragColor, in vec2 fragCoord) {\n"                                              \
     "    vec2 uv = fragCoord / iResolution.xy;\n"                                                            \
@@ -477,7 +489,8 @@ static void print_times(const char *what, double *times, int count) {
 static void measure_answers(size_t from) {
     double times[MOST_TIMES];
     int count = 0;
-    for (const char *at = desktop_log(desktop) + from; (at = strstr(at, "\"latency_ms\": ")) && count < MOST_TIMES; at++) {
+    for (const char *at = desktop_log(desktop) + from;
+         (at = strstr(at, "\"latency_ms\": ")) && count < MOST_TIMES; at++) {
         sscanf(at, "\"latency_ms\": %lf", &times[count]);
         count += times[count] > 0;
     }
@@ -511,7 +524,8 @@ static int measure(const char *scene, const char *size) {
     usleep(2000000);
     Text script = {0};
     text_print(&script, "mousemove 500 100 mousedown 3");
-    for (int i = 0; i < seconds / 0.015; i++) text_print(&script, " mousemove 500 %d sleep 0.015", 100 + i % 100);
+    for (int i = 0; i < seconds / 0.015; i++)
+        text_print(&script, " mousemove 500 %d sleep 0.015", 100 + i % 100);
     size_t log = strlen(desktop_log(desktop));
     double frames = desktop_number(desktop, "frame"), from = clock_seconds();
     desktop_do(desktop, "%s", text_string(&script));
@@ -520,9 +534,10 @@ static int measure(const char *scene, const char *size) {
            frames / (clock_seconds() - from), desktop_number(desktop, "coarseness"));
     measure_answers(log);
     desktop_do(desktop, "mouseup 3");
-    usleep(2000000);
-    printf("after 2 s of rest: %.0f samples, estimated error %.2f %%\n", desktop_number(desktop, "samples"),
-           desktop_number(desktop, "error_percent"));
+    from = clock_seconds();
+    desktop_expect_number(desktop, "error_percent", 0, 3);
+    printf("%.1f s until the estimated error is %.2f %%, with %.0f samples\n", clock_seconds() - from,
+           desktop_number(desktop, "error_percent"), desktop_number(desktop, "samples"));
     measure_latency();
     text_free(&script);
     quit();
@@ -544,6 +559,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_setup_teardown(test_save, start, stop),
         cmocka_unit_test_setup_teardown(test_sides, start, stop),
         cmocka_unit_test_setup_teardown(test_window, start, stop),
+        cmocka_unit_test_setup_teardown(test_record, start, stop),
         cmocka_unit_test_setup_teardown(test_shadertoy, start, stop),
         cmocka_unit_test_setup_teardown(test_storm, start, stop),
     };

@@ -476,7 +476,8 @@ static void bind_textures(const Renderer *renderer) {
     spheres_bind(&renderer->spheres);
 }
 
-bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, Error *error) {
+bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, bool (*stop)(void),
+                      Error *error) {
     Film *film = &renderer->film;
     Rectangle all = {0, 0, film->width, film->height};
     if (renderer->row == 0) {
@@ -487,7 +488,7 @@ bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, Erro
     bind_textures(renderer);
     begin(renderer, &renderer->program, renderer->group);
     strips_draw_for(&renderer->program, film->width, film->height, &renderer->row,
-                    &renderer->pixels_per_second, seconds);
+                    &renderer->pixels_per_second, seconds, stop);
     if (renderer->row == film->height) {
         draw_sun_image(renderer, &all, 1, renderer->group);
         film_commit(film, renderer->group);

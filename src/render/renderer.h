@@ -85,7 +85,8 @@ MUST_CHECK bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)
 MUST_CHECK bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, uint64_t samples,
                                 double deadline, bool (*stop)(void), uint64_t *taken, Error *error);
 
-/* Draws on for about `seconds` (at least a row): the group that is unfinished, or the next one, of at most
- * `samples`. With its last row it is committed. Other programs and textures may have been in use since. Not
- * to be mixed with the passes above. */
-MUST_CHECK bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, Error *error);
+/* Draws on for about `seconds` (at least a row), less if `stop` (may be NULL) says yes: the group that is
+ * unfinished, or the next one, of at most `samples`. With its last row it is committed. Other programs and
+ * textures may have been in use since. Not to be mixed with the passes above. */
+MUST_CHECK bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, bool (*stop)(void),
+                                 Error *error);

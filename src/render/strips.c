@@ -34,7 +34,7 @@ bool strips_draw(const Program *program, const Rectangle *regions, int count, do
 }
 
 void strips_draw_for(const Program *program, int width, int height, int *row, double *pixels_per_second,
-                     double seconds) {
+                     double seconds, bool (*stop)(void)) {
     double end = clock_seconds() + seconds, left = seconds;
     do {
         double start = clock_seconds(), wanted = *pixels_per_second * fmin(left, seconds / 3) / width;
@@ -44,5 +44,5 @@ void strips_draw_for(const Program *program, int width, int height, int *row, do
         *pixels_per_second = (double)rows * width / fmax(clock_seconds() - start, 1e-6);
         *row += rows;
         left = end - clock_seconds();
-    } while (*row < height && left > 0.1 * seconds);
+    } while (*row < height && left > 0.1 * seconds && !(stop && stop()));
 }

@@ -13,4 +13,4 @@ bool strips_draw(const Program *program, const Rectangle *regions, int count, do
 /* Draws the rows of [0, width) x [0, height) from *row on for about `seconds`, at least one; *row becomes the
  * next. In strips of a third of the time, as some rows of a picture take several times as long as others. */
 void strips_draw_for(const Program *program, int width, int height, int *row, double *pixels_per_second,
-                     double seconds);
+                     double seconds, bool (*stop)(void));

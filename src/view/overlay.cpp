@@ -33,6 +33,9 @@ Overlay *overlay_create(Window *window, Error *error) {
     ImGui::StyleColorsDark();
     ImGui::GetStyle().WindowRounding = 4;
     ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0.8f;
+    float magnification = (float)window_magnification(window);
+    ImGui::GetIO().FontGlobalScale = magnification;
+    ImGui::GetStyle().ScaleAllSizes(magnification);
     bool windowed = ImGui_ImplGlfw_InitForOpenGL(window->handle, false);
     if (windowed && ImGui_ImplOpenGL3_Init("#version 330 core"))
         return new Overlay{window, {}, {}, false, false, {}};

@@ -197,7 +197,7 @@ bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
     double budget = pane->preview_samples ? INFINITY : params->budget_s, begin = clock_seconds();
     int first_row = renderer->row;
     uint64_t before = film->samples;
-    if (!renderer_advance(renderer, samples, budget, error)) return false;
+    if (!renderer_advance(renderer, samples, budget, params->stop, error)) return false;
     double taken = fmax(clock_seconds() - begin, 1e-6);
     int rows = film->samples > before ? film->height - first_row : renderer->row - first_row;
     uint64_t paths = (uint64_t)rows * (uint64_t)film->width * renderer->group;

@@ -16,10 +16,11 @@ typedef struct PaneParams {
     int width, height;
     unsigned seed;
     int max_hits;
-    uint64_t samples; /* a pixel, after which the picture rests */
-    bool moving;      /* something changed lately: a preview goes on */
-    bool whole;       /* no previews: each picture is taken to its end */
-    double budget_s;  /* of time for a frame */
+    uint64_t samples;   /* a pixel, after which the picture rests */
+    bool moving;        /* something changed lately: a preview goes on */
+    bool whole;         /* no previews: each picture is taken to its end */
+    bool (*stop)(void); /* asked in the middle of a frame at rest: whether something is more urgent */
+    double budget_s;    /* of time for a frame */
 } PaneParams;
 
 typedef struct Pane {

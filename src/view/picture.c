@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "view/carry.h"
+#include "view/window.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -38,6 +39,7 @@ static PaneParams pane_params(const Picture *picture, const ViewState *state, in
                         .samples = params->samples ? params->samples : many_samples,
                         .moving = moving,
                         .whole = params->record && state->playing,
+                        .stop = window_calls,
                         .budget_s = (moving ? moving_budget_s : rest_budget_s) / side_count(state)};
 }
 
@@ -91,7 +93,7 @@ static bool draw_toy(Picture *picture, const ViewState *state, bool *drew, Error
     if (picture_rests(picture, state)) return true;
     *drew = true;
     view_mouse(state, picture->height, mouse);
-    return toy_draw(&picture->toy, rest_budget_s, state->clock_seconds, mouse, error);
+    return toy_draw(&picture->toy, rest_budget_s, state->clock_seconds, mouse, window_calls, error);
 }
 
 bool picture_draw(Picture *picture, const ViewState *state, bool *drew, Error *error) {

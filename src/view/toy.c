@@ -97,7 +97,8 @@ static void tell(const Toy *toy) {
     program_set_vec4(program, "iMouse", toy->mouse);
 }
 
-bool toy_draw(Toy *toy, double seconds, double time_s, const double mouse[4], Error *error) {
+bool toy_draw(Toy *toy, double seconds, double time_s, const double mouse[4], bool (*stop)(void),
+              Error *error) {
     Target *target = &toy->target;
     if (toy->row == 0) {
         toy->delta_s = fmax(time_s - toy->time_s, 0);
@@ -105,8 +106,8 @@ bool toy_draw(Toy *toy, double seconds, double time_s, const double mouse[4], Er
         memcpy(toy->mouse, mouse, sizeof toy->mouse);
     }
     tell(toy);
-    strips_draw_for(&toy->program, target->width, target->height, &toy->row, &toy->pixels_per_second,
-                    seconds);
+    strips_draw_for(&toy->program, target->width, target->height, &toy->row, &toy->pixels_per_second, seconds,
+                    stop);
     if (toy->row == target->height) {
         target_swap(target);
         toy->row = 0;

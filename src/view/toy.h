@@ -29,9 +29,10 @@ void toy_destroy(Toy *toy);
 MUST_CHECK bool toy_resize(Toy *toy, const Context *context, int width, int height, Error *error);
 void toy_restart(Toy *toy);
 
-/* Draws for about `seconds`; a frame may take several calls and keeps the time and the mouse that it began
- * with. */
-MUST_CHECK bool toy_draw(Toy *toy, double seconds, double time_s, const double mouse[4], Error *error);
+/* Draws for about `seconds`, or until `stop` says yes; a frame may take several calls and keeps the time and
+ * the mouse that it began with. */
+MUST_CHECK bool toy_draw(Toy *toy, double seconds, double time_s, const double mouse[4], bool (*stop)(void),
+                         Error *error);
 
 /* The last whole frame, row 0 at its bottom. */
 GLuint toy_texture(const Toy *toy);

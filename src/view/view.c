@@ -21,10 +21,10 @@ typedef struct View {
     Watch watch;
     Controls controls;
     ViewFigures figures;
-    double heard;                /* when the first event came that no picture has answered yet; 0 for none */
-    double polled, shown, flown; /* when this was done last */
-    bool news;                   /* there is more to show than was */
-    int linger;                  /* pictures to show whatever happens: the overlay needs some to settle */
+    double heard;        /* when the first event came that no picture has answered yet; 0 for none */
+    double shown, flown; /* when this was done last */
+    bool news;           /* there is more to show than was */
+    int linger;          /* pictures to show whatever happens: the overlay needs some to settle */
     int frames, recorded;
 } View;
 
@@ -67,16 +67,25 @@ static void log_frame(const View *view, double latency_s) {
     log_end();
 }
 
+static void set_title(View *view) {
+    const char *title = view->state.file.title;
+    char text[200];
+    snprintf(text, sizeof text, "%s - magichour", *title ? title : view->params->path);
+    window_set_title(&view->window, text);
+}
+
 static bool reload_if_changed(View *view, Error *error) {
     if (!watch_changed(&view->watch)) return true;
     double start = clock_seconds();
     bool ok = picture_reload(&view->picture, &view->state, error);
-    if (ok)
+    if (ok) {
         view_notice(&view->state, "%s: read again", view->params->path);
-    else if (view_is_refusal(error))
+        set_title(view);
+    } else if (view_is_refusal(error)) {
         say_failure(view, error);
-    else
+    } else {
         return false;
+    }
     picture_watch(&view->picture, &view->state, &view->watch);
     view->heard = view->heard > 0 ? view->heard : start;
     log_begin("reload");
@@ -146,20 +155,18 @@ static void pass_time(View *view) {
     day_sun(&state->day, &state->scene.sun_elevation_deg, &state->scene.sun_azimuth_deg);
 }
 
-/* The first event since the last picture was shown is dated back to the poll before it: it may have come
- * right after that. */
 static void hear(View *view, double wait_s) {
-    double before = clock_seconds();
     Window *window = &view->window;
     window_poll(window, wait_s);
-    if (window->event_count && !(view->heard > 0)) view->heard = wait_s > 0 ? clock_seconds() : view->polled;
-    view->polled = before;
+    if (window->event_count && !(view->heard > 0)) view->heard = window->heard;
+    if (window->event_count || window->exposed) view->linger = 3;
     for (int i = 0; i < window->event_count; i++) {
         const WindowEvent *event = &window->events[i];
         if (!overlay_event(view->overlay, event, view->state.overlay))
             controls_event(&view->controls, &view->state, event, window->width, window->height);
     }
-    if (window->event_count || window->exposed) view->linger = 3;
+    window->event_count = 0;
+    window->exposed = false;
 }
 
 static bool present(View *view, Error *error) {
@@ -209,15 +216,14 @@ static bool turn(View *view, Error *error) {
 static bool open_window(View *view, Error *error) {
     const ViewParams *params = view->params;
     const Scene *scene = &view->state.file;
-    char title[200];
-    snprintf(title, sizeof title, "%s - magichour", scene->title[0] ? scene->title : params->path);
     int width = params->width ? params->width : scene->width,
         height = params->height ? params->height : scene->height;
     if (!scene_check_size(width, height, error)) return false;
-    if (!window_open(&view->window, title, width, height, error)) {
+    if (!window_open(&view->window, "magichour", width, height, error)) {
         error_prefix(error, "view needs a display, `magichour render %s -o FILE.png` none; ", params->path);
         return false;
     }
+    set_title(view);
     view->figures.scale = view->window.scale;
     view->overlay = overlay_create(&view->window, error);
     return view->overlay && display_create(&view->display, &view->window.context, params->library, error) &&
@@ -268,7 +274,7 @@ bool view_run(const ViewParams *params, Error *error) {
     bool ok = open_window(&view, error);
     if (ok) {
         picture_watch(&view.picture, &view.state, &view.watch);
-        view.flown = view.polled = view.shown = clock_seconds();
+        view.flown = view.shown = clock_seconds();
         log_start(&view, started);
     }
     while (ok && !view.window.closed && !view.state.wishes.quit && !(params->stop && params->stop()))

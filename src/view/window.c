@@ -1,10 +1,14 @@
 #include "view/window.h"
 
+#include "base/clock.h"
 #include "base/text.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <math.h>
 #include <stdlib.h>
+
+static Window *opened; /* for window_calls() */
 
 static Window *window_of(GLFWwindow *handle) {
     return glfwGetWindowUserPointer(handle);
@@ -115,6 +119,8 @@ bool window_open(Window *window, const char *title, int width, int height, Error
     if (!context_adopt(&window->context, glfwGetProcAddress, error)) goto fail;
     glfwSwapInterval(0); /* frames are paced by their work, and a wait would come out of it */
     measure(window);
+    window->polled = clock_seconds();
+    opened = window;
     return true;
 fail:
     window_close(window);
@@ -122,6 +128,7 @@ fail:
 }
 
 void window_close(Window *window) {
+    opened = NULL;
     context_close(&window->context);
     if (window->handle) glfwDestroyWindow(window->handle);
     glfwTerminate();
@@ -130,17 +137,31 @@ void window_close(Window *window) {
 }
 
 void window_poll(Window *window, double seconds) {
-    window->event_count = 0;
-    window->exposed = false;
+    double before = clock_seconds();
+    int count = window->event_count;
     if (seconds > 0)
         glfwWaitEventsTimeout(seconds);
     else
         glfwPollEvents();
+    /* A wait ends with the event. */
+    if (!count && window->event_count) window->heard = seconds > 0 ? clock_seconds() : window->polled;
+    window->polled = before;
     measure(window);
+}
+
+bool window_calls(void) {
+    if (opened) window_poll(opened, 0);
+    return opened && (opened->event_count || opened->exposed || opened->closed);
 }
 
 void window_present(Window *window) {
     glfwSwapBuffers(window->handle);
+}
+
+double window_magnification(const Window *window) {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window->handle, &x, &y);
+    return fmax((double)x / window->scale, 1);
 }
 
 void window_set_title(Window *window, const char *title) {

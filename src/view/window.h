@@ -31,6 +31,8 @@ typedef struct Window {
     bool exposed;      /* what it shows was lost, or its size changed */
     WindowEvent *events;
     int event_count, event_capacity;
+    double heard;  /* the first of `events` came after this time, */
+    double polled; /* and nothing else until this time */
 } Window;
 
 /* At most as large as the screen. STATUS_NO_GL where there is no display, or no OpenGL 3.3 on it. The window
@@ -38,11 +40,18 @@ typedef struct Window {
 MUST_CHECK bool window_open(Window *window, const char *title, int width, int height, Error *error);
 void window_close(Window *window);
 
-/* Waits up to `seconds` for something to happen; what did is in `events` until the next call. */
+/* Waits up to `seconds` for something to happen; what did is added to `events`, which the caller empties. */
 void window_poll(Window *window, double seconds);
+
+/* Looks whether something has happened to the window that was opened last; to be asked in the middle of long
+ * work. */
+bool window_calls(void);
 
 /* Shows what was drawn on framebuffer 0. */
 void window_present(Window *window);
+
+/* How much larger than usual things should be for this screen, in the window's coordinates. */
+double window_magnification(const Window *window);
 
 void window_set_title(Window *window, const char *title);
 void window_set_clipboard(Window *window, const char *text);
