@@ -25,7 +25,7 @@ struct Overlay {
 };
 
 static const float panel_width = 19; /* in heights of the font */
-static const ImVec4 red(1.0f, 0.45f, 0.4f, 1.0f), grey(0.7f, 0.7f, 0.7f, 1.0f);
+static const ImVec4 red(1.0f, 0.45f, 0.4f, 1.0f), grey(0.7f, 0.7f, 0.7f, 1.0f), white(1, 1, 1, 1);
 
 Overlay *overlay_create(Window *window, Error *error) {
     ImGui::CreateContext();
@@ -260,28 +260,11 @@ static void side_figures(const SideFigures *side, bool curve) {
     if (curve) curve_plot(&side->curve);
 }
 
-static void range_bar(const ViewState *state) {
-    ImVec2 corner = ImGui::GetCursorScreenPos();
-    float width = panel_width * ImGui::GetFontSize();
-    ImDrawList *list = ImGui::GetWindowDrawList();
-    ImVec2 middle(corner.x + width / 2, corner.y + 12);
-    const ImU32 blue = IM_COL32(59, 76, 192, 255), white = IM_COL32(221, 221, 221, 255),
-                warm = IM_COL32(180, 4, 38, 255);
-    list->AddRectFilledMultiColor(corner, middle, blue, white, white, blue);
-    list->AddRectFilledMultiColor(ImVec2(middle.x, corner.y), ImVec2(corner.x + width, middle.y), white, warm,
-                                  warm, white);
-    ImGui::Dummy(ImVec2(width, 13));
-    ImGui::Text("right brighter by %g %%", state->difference_percent);
-    ImGui::SameLine(width / 2 + 20);
-    ImGui::Text("left by %g %% of the mean", state->difference_percent);
-}
-
 static void split_section(ViewState *state, const ViewFigures *figures) {
     if (ImGui::Checkbox("two sides", &state->split) && !state->split) state->difference = false;
     ImGui::SameLine();
     if (ImGui::Checkbox("their difference", &state->difference) && state->difference) state->split = true;
     if (!state->split) return;
-    if (state->difference) range_bar(state);
     ImGui::PushID("right");
     ImGui::TextColored(grey, "right side");
     method_combos(&state->methods[1]);
@@ -343,14 +326,19 @@ static void panel(Overlay *overlay, ViewState *state, const ViewFigures *figures
     ImGui::End();
 }
 
-/* A line of text at a place, behind everything that takes the mouse. */
-static void note(const char *name, ImVec2 place, ImVec2 pivot, const ImVec4 &color, const char *text) {
+static const ImGuiWindowFlags note_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                                           ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
+                                           ImGuiWindowFlags_NoFocusOnAppearing;
+
+/* Text at a place, wrapped to a width; the mouse does not see it. */
+static void note(const char *name, ImVec2 place, ImVec2 pivot, float width, const ImVec4 &color,
+                 const char *text) {
     ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
-    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(ImGui::GetIO().DisplaySize.x - 16, 1e4f));
-    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
-                                   ImGuiWindowFlags_NoFocusOnAppearing;
-    if (ImGui::Begin(name, nullptr, flags)) ImGui::TextColored(color, "%s", text);
+    if (ImGui::Begin(name, nullptr, note_flags)) {
+        ImGui::PushTextWrapPos(width - 16);
+        ImGui::TextColored(color, "%s", text);
+        ImGui::PopTextWrapPos();
+    }
     ImGui::End();
 }
 
@@ -368,16 +356,44 @@ static void pixel_note(const ViewState *state, const ViewFigures *figures) {
     ImVec2 size = ImGui::GetIO().DisplaySize;
     ImVec2 pivot(x > size.x * 0.6f ? 1.0f : 0.0f, y > size.y * 0.7f ? 1.0f : 0.0f);
     note("pixel", ImVec2(x + (pivot.x > 0 ? -14.0f : 14.0f), y + (pivot.y > 0 ? -14.0f : 14.0f)), pivot,
-         ImVec4(1, 1, 1, 1), text);
+         size.x, white, text);
 }
 
-static void side_note(const char *name, const SideFigures *side, float x, float pivot) {
-    char text[320], error[48] = "";
+static void side_note(const ViewState *state, const SideFigures *side, int number, float x) {
+    char text[400], error[48] = "", sun[64] = "";
+    ImVec2 size = ImGui::GetIO().DisplaySize;
+    Scene scene = view_scene(state, number);
+    if (state->own_sun)
+        snprintf(sun, sizeof sun, "sun %.4g %.4g\n", scene.sun_elevation_deg, scene.sun_azimuth_deg);
     if (std::isfinite(side->error_percent))
         snprintf(error, sizeof error, "\nerror about %.2f %%", side->error_percent);
-    snprintf(text, sizeof text, "%s\n%llu samples in %.1f s\n%.1f Mpaths/s%s", side->methods,
+    snprintf(text, sizeof text, "%s%s\n%llu samples in %.1f s\n%.1f Mpaths/s%s", sun, side->methods,
              (unsigned long long)side->samples, side->seconds, 1e-6 * side->paths_per_second, error);
-    note(name, ImVec2(x, ImGui::GetIO().DisplaySize.y - 8), ImVec2(pivot, 1), ImVec4(1, 1, 1, 1), text);
+    bool left = number == 0;
+    note(left ? "left" : "right", ImVec2(left ? x - 8 : x + 8, size.y - 8), ImVec2(left ? 1.0f : 0.0f, 1),
+         left ? x - 8 : size.x - x - 8, white, text);
+}
+
+/* What the false colours mean. */
+static void range_bar(const ViewState *state) {
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    float width = 25 * ImGui::GetFontSize();
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    ImVec2 middle(corner.x + width / 2, corner.y + 12);
+    const ImU32 blue = IM_COL32(59, 76, 192, 255), pale = IM_COL32(221, 221, 221, 255),
+                warm = IM_COL32(180, 4, 38, 255);
+    list->AddRectFilledMultiColor(corner, middle, blue, pale, pale, blue);
+    list->AddRectFilledMultiColor(ImVec2(middle.x, corner.y), ImVec2(corner.x + width, middle.y), pale, warm,
+                                  warm, pale);
+    ImGui::Dummy(ImVec2(width, 13));
+    ImGui::Text("right brighter by %g %% of the mean, left by %g %%", state->difference_percent,
+                state->difference_percent);
+}
+
+static void range_note(const ViewState *state) {
+    ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().DisplaySize.x - 8, 8), ImGuiCond_Always, ImVec2(1, 0));
+    if (ImGui::Begin("range", nullptr, note_flags)) range_bar(state);
+    ImGui::End();
 }
 
 static void divider_line(const ViewState *state) {
@@ -388,8 +404,7 @@ static void divider_line(const ViewState *state) {
 
 static void side_notes(const ViewState *state, const ViewFigures *figures) {
     float x = (float)state->divider * ImGui::GetIO().DisplaySize.x;
-    side_note("left", &figures->sides[0], x - 8, 1);
-    side_note("right", &figures->sides[1], x + 8, 0);
+    for (int i = 0; i < MOST_SIDES; i++) side_note(state, &figures->sides[i], i, x);
 }
 
 static void notice(const ViewState *state) {
@@ -397,10 +412,10 @@ static void notice(const ViewState *state) {
     char prompt[128];
     if (state->prompting) {
         snprintf(prompt, sizeof prompt, "sun's elevation [azimuth], degrees: %s_", state->prompt);
-        note("prompt", ImVec2(size.x / 2, size.y - 40), ImVec2(0.5f, 1), ImVec4(1, 1, 1, 1), prompt);
+        note("prompt", ImVec2(size.x / 2, size.y - 40), ImVec2(0.5f, 1), size.x, white, prompt);
     }
     if (view_has_notice(state))
-        note("notice", ImVec2(8, size.y - 8), ImVec2(0, 1), state->notice.failed ? red : ImVec4(1, 1, 1, 1),
+        note("notice", ImVec2(8, size.y - 8), ImVec2(0, 1), size.x - 16, state->notice.failed ? red : white,
              state->notice.text);
 }
 
@@ -412,6 +427,7 @@ void overlay_build(Overlay *overlay, ViewState *state, const ViewFigures *figure
     if (state->overlay) {
         panel(overlay, state, figures);
         if (state->split) side_notes(state, figures);
+        if (state->difference) range_note(state);
     }
     if (state->overlay || state->prompting) notice(state);
     if (state->inspect) pixel_note(state, figures);
