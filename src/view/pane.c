@@ -55,10 +55,16 @@ static RenderParams render_params(const PaneParams *params, int coarseness) {
                           .variance = true};
 }
 
+/* Paths that a preview may have. With a sample or two a pixel they take about twice the time that they do at
+ * rest. */
+static double affordable_paths(const Pane *pane, const PaneParams *params) {
+    double rate = pane->preview_rate > 0 ? pane->preview_rate : pane->paths_per_second / 2;
+    return rate > 0 ? rate * params->budget_s : (double)params->width * params->height / 16;
+}
+
 /* The finest preview that the budget allows, with a margin against changing back and forth. */
 static int choose_coarseness(const Pane *pane, const PaneParams *params) {
-    double pixels = (double)params->width * params->height;
-    double paths = pane->paths_per_second > 0 ? pane->paths_per_second * params->budget_s : pixels / 16;
+    double pixels = (double)params->width * params->height, paths = affordable_paths(pane, params);
     int finest = 1;
     while (finest < COARSEST && pixels / (finest * finest) > paths) finest *= 2;
     int last = pane->coarseness;
@@ -68,8 +74,7 @@ static int choose_coarseness(const Pane *pane, const PaneParams *params) {
 
 static unsigned choose_samples(const Pane *pane, const PaneParams *params, int coarseness) {
     double pixels = (double)params->width * params->height / (coarseness * coarseness);
-    double samples = floor(pane->paths_per_second * params->budget_s / pixels);
-    return (unsigned)fmin(fmax(samples, 1), MOST_PREVIEW_SAMPLES);
+    return (unsigned)fmin(fmax(floor(affordable_paths(pane, params) / pixels), 1), MOST_PREVIEW_SAMPLES);
 }
 
 /* Preview and picture at rest keep a film each, and change places. */
@@ -183,9 +188,9 @@ static void extend_curve(ErrorCurve *curve, double seconds, double percent) {
 /* A program's first draw compiles it and says nothing about its speed. */
 static void measure(Pane *pane, double rate) {
     bool first = pane->measured != pane->renderer.program.id;
+    double *known = pane->preview_samples ? &pane->preview_rate : &pane->paths_per_second;
     pane->measured = pane->renderer.program.id;
-    if (first) return;
-    pane->paths_per_second = pane->paths_per_second > 0 ? 0.7 * pane->paths_per_second + 0.3 * rate : rate;
+    if (!first) *known = *known > 0 ? 0.7 * *known + 0.3 * rate : rate;
 }
 
 bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {

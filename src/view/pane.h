@@ -32,6 +32,7 @@ typedef struct Pane {
     int coarseness;           /* the film has 1 / coarseness of them; 1 at rest */
     unsigned preview_samples; /* a pixel and frame; 0 at rest */
     double paths_per_second;  /* measured lately; 0 is not known */
+    double preview_rate;      /* the same of previews */
     GLuint measured;          /* the program that was */
     double seconds;           /* spent on the picture */
     uint64_t paths;           /* of the picture */
