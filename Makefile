@@ -4,7 +4,7 @@
 MODE ?= release
 PREFIX ?= /usr/local
 BUILD := $(if $(filter release,$(MODE)),build,build/$(MODE))
-PKGS := OpenEXR libpng glfw3 imgui
+PKGS := OpenEXR libpng cairo glfw3 imgui
 
 CC ?= cc
 ifeq ($(MODE),asan)
@@ -30,7 +30,7 @@ SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$
 CASES := $(patsubst %.glsl,$(BUILD)/%,$(wildcard tests/oracle/cases/*.glsl))
 ORACLE := $(BUILD)/tests/oracle/oracle.o $(CASES:%=%_float.o) $(CASES:%=%_double.o)
 
-.PHONY: all demo view check-view measure-view gallery atlas honesty sheets test check lint format deps clean install FORCE
+.PHONY: all demo view check-view measure-view gallery atlas honesty sheets charts test check lint format deps clean install FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
@@ -103,6 +103,15 @@ sheets:
 	tools/deps.sh build atlas
 	$(MAKE) all
 	tools/sheets.sh $(BUILD)/magichour out/sheets scenes/gallery
+
+# The README's charts of speed against accuracy, measured here; what is measured already is only drawn again.
+charts:
+	tools/deps.sh build
+	$(MAKE) all
+	mkdir -p out scenes/gallery
+	$(BUILD)/magichour chart scenes/crater.glsl -o out/charts --time 240
+	for chart in paths sky scale; do for kind in png csv; do \
+		cp out/charts/$$chart.$$kind scenes/gallery/chart-$$chart.$$kind; done; done
 
 test:
 	tools/deps.sh build test

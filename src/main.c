@@ -17,6 +17,10 @@ static Status run(const Options *options, int argc, char **argv, Error *error) {
         return cmd_flatten(options, error);
     case COMMAND_SKY:
         return cmd_sky(options, argc, argv, error);
+    case COMMAND_CHART:
+        return cmd_chart(options, error);
+    case COMMAND_EXPLAIN:
+        return cmd_explain(options, error);
     case COMMAND_NONE:
         break;
     }

@@ -4,7 +4,7 @@
 set -eu
 
 # build: the compilers, the window and picture libraries, and an OpenGL that runs on any machine (Mesa's llvmpipe).
-build="gcc g++ make pkg-config libc6-dev libgl-dev libegl-dev libglfw3-dev libimgui-dev libopenexr-dev libpng-dev libegl1 libgl1-mesa-dri"
+build="gcc g++ make pkg-config libc6-dev libgl-dev libegl-dev libglfw3-dev libimgui-dev libopenexr-dev libpng-dev libcairo2-dev libegl1 libgl1-mesa-dri"
 # test: the test framework, a display for the windows and hands for them, and GLM for the oracle.
 test="libcmocka-dev xvfb xauth xdotool libglm-dev"
 lint="clang-format glslang-tools git"

@@ -13,7 +13,9 @@ typedef enum Command {
     COMMAND_INFO = 1 << 2,
     COMMAND_FLATTEN = 1 << 3,
     COMMAND_SKY = 1 << 4,
-    COMMAND_VIEW = 1 << 5
+    COMMAND_VIEW = 1 << 5,
+    COMMAND_CHART = 1 << 6,
+    COMMAND_EXPLAIN = 1 << 7
 } Command;
 
 /* Absent options are NULL, 0 or false, unless said otherwise. Strings are argv's own. */
@@ -33,6 +35,7 @@ typedef struct Options {
     int setting_count;
     unsigned long long samples;
     double seconds, error_percent; /* 0 when absent */
+    const char *charts;            /* "paths,sky" */
     unsigned seed;
     int depth;
     bool has_exposure;

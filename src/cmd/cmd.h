@@ -10,3 +10,5 @@ Status cmd_compare(const Options *options, Error *error);
 Status cmd_info(const Options *options, Error *error);
 Status cmd_flatten(const Options *options, Error *error);
 Status cmd_sky(const Options *options, int argc, char **argv, Error *error);
+Status cmd_chart(const Options *options, Error *error);
+Status cmd_explain(const Options *options, Error *error);

@@ -20,9 +20,6 @@
 /* relRMSE, unless something else is asked for. */
 static const double default_error_percent = 1;
 
-/* Where the sun itself is in the picture, errors are judged without so many of the pixels, the worst. */
-static const double sun_trim = 0.001;
-
 typedef struct Job {
     const Options *options;
     char *library;
@@ -146,7 +143,8 @@ static bool render(Job *job, Error *error) {
     Progress progress = progress_start(options);
     double pixels = (double)job->renderer.film.width * job->renderer.film.height;
     double bias = known_bias(job), start = clock_seconds();
-    job->adaptive = adaptive_create(&job->renderer, job->renderer.sun.rectangle_count ? sun_trim : 0);
+    job->adaptive =
+        adaptive_create(&job->renderer, job->renderer.sun.rectangle_count ? ADAPTIVE_SUN_TRIM : 0);
     figures->target_samples = options->samples;
     figures->target_seconds = options->seconds;
     figures->target_error_percent = wanted_error(options);

@@ -18,7 +18,7 @@ Progress progress_start(const Options *options) {
     return progress;
 }
 
-static int terminal_columns(void) {
+int progress_columns(void) {
     struct winsize size;
     return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
@@ -48,7 +48,7 @@ static void report_terminal(Progress *progress, const ProgressFigures *figures) 
     snprintf(line, sizeof line, "%s%.0f%s samples, %.1f Mpaths/s%s", reached, figures->samples, target,
              1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), left);
     /* Cut to the window, or the line would wrap and scroll at each report. */
-    fprintf(stderr, "\r%.*s\033[K", terminal_columns() - 1, line);
+    fprintf(stderr, "\r%.*s\033[K", progress_columns() - 1, line);
     progress->line = true;
 }
 

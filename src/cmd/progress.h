@@ -33,3 +33,6 @@ Progress progress_start(const Options *options);
 
 /* Reports at most ten times a second, and always when done. */
 void progress_report(Progress *progress, const ProgressFigures *figures);
+
+/* Columns of the terminal, to cut lines to. */
+int progress_columns(void);

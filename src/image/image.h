@@ -70,6 +70,9 @@ MUST_CHECK bool image_write(const Image *image, const char *path, const ImageWri
  * Fails with STATUS_FAILURE and leaves an empty picture. */
 MUST_CHECK bool image_read(Image *image, const char *path, Error *error);
 
+/* Appends the metadata of that name, as an EXR file has it; false where there is no such file or line. */
+MUST_CHECK bool exr_attribute(const char *path, const char *name, Text *value);
+
 /* Decoders refuse more than this many columns, rows, or pixels in all: broken headers ask for anything. */
 #define IMAGE_SIDE_MAX 65536
 #define IMAGE_PIXELS_MAX (1L << 28)

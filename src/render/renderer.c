@@ -291,8 +291,7 @@ static void remember_spheres(Renderer *renderer, const Scene *scene) {
     renderer->spheres_time_s = scene->time_s;
 }
 
-/* Tells the programs. */
-static bool set_up_all(Renderer *renderer, const Scene *scene, Error *error) {
+bool renderer_use(Renderer *renderer, const Scene *scene, Error *error) {
     SkyState state = {scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg};
     return set_up(renderer, &renderer->program, scene, &state, error) &&
            (!renderer->image_program.id || set_up(renderer, &renderer->image_program, scene, &state, error));
@@ -320,7 +319,7 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
     renderer->sun_disk = methods.sun;
     renderer->camera = camera_of(scene, width, height);
     if (create_parts(renderer, context, params, &methods, &needs, error) &&
-        set_up_all(renderer, scene, error))
+        renderer_use(renderer, scene, error))
         return true;
 fail:
     renderer_destroy(renderer);
@@ -393,7 +392,7 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
     renderer->seed = params->seed;
     renderer->row = 0;
     return clear_film(renderer, context, error) && move_sun(renderer, context, &methods, params, error) &&
-           set_up_all(renderer, scene, error);
+           renderer_use(renderer, scene, error);
 }
 
 void renderer_destroy(Renderer *renderer) {

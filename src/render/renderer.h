@@ -64,6 +64,10 @@ MUST_CHECK bool renderer_create(Renderer *renderer, const Context *context, cons
                                 Error *error);
 void renderer_destroy(Renderer *renderer);
 
+/* Binds this renderer's tables again after another one was made or used in the same context. `scene` is as at
+ * its creation. */
+MUST_CHECK bool renderer_use(Renderer *renderer, const Scene *scene, Error *error);
+
 /* Forgets the picture and starts anew as renderer_create() would with these parameters, for the same scene
  * file. Sun, camera, size, parameters and air may have changed freely: programs are kept unless methods have
  * changed, and tables unless what they depend on has. Where the parameters are refused, the renderer stays as

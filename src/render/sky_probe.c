@@ -1,8 +1,10 @@
 #include "render/sky_probe.h"
 
+#include "base/clock.h"
 #include "base/text.h"
 #include "gl/texture.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -74,5 +76,25 @@ bool sky_probe_ask(SkyProbe *probe, const SkyState *state, const float *directio
         ok = ask_some(probe, directions + 4 * done, some, radiances + 4 * done, rows, error);
     }
     free(rows);
+    return ok;
+}
+
+bool sky_probe_time(SkyProbe *probe, const SkyState *state, const float *directions, size_t count,
+                    double seconds, double *lookup_seconds, Error *error) {
+    const GlApi *gl = probe->sky.gl;
+    size_t most = (size_t)SIDE * SIDE, asked = count < most ? count : most;
+    int height = (int)((asked + SIDE - 1) / SIDE);
+    float *radiances = memory_get(asked, 4 * sizeof *radiances);
+    bool ok = sky_probe_ask(probe, state, directions, asked, radiances, error);
+    double first = clock_seconds(), best = INFINITY;
+    for (int i = 0; ok && (i < 1 || clock_seconds() - first < seconds); i++) {
+        double start = clock_seconds();
+        program_draw(&probe->program, 0, 0, SIDE, height);
+        gl->Finish();
+        best = fmin(best, clock_seconds() - start);
+        ok = gl_check(gl, "asking the sky", error);
+    }
+    free(radiances);
+    *lookup_seconds = best / ((double)SIDE * height);
     return ok;
 }

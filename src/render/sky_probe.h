@@ -17,3 +17,8 @@ void sky_probe_destroy(SkyProbe *probe);
 /* `directions`: 4 floats each, unit vectors (the fourth unused); `radiances`: 4 floats each, RGB and 1. */
 MUST_CHECK bool sky_probe_ask(SkyProbe *probe, const SkyState *state, const float *directions, size_t count,
                               float *radiances, Error *error);
+
+/* Seconds of a lookup: the quickest of many draws that ask 65536 of `directions` (or as many as there are)
+ * and read nothing back, for about `seconds`, once at least. */
+MUST_CHECK bool sky_probe_time(SkyProbe *probe, const SkyState *state, const float *directions, size_t count,
+                               double seconds, double *lookup_seconds, Error *error);

@@ -1,0 +1,340 @@
+#include "chart/chart.h"
+#include "chart/curve.h"
+#include "chart/identity.h"
+#include "chart/plot.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_CURVES = 24, PANEL_LIGHTS = 1, PANEL_SKIES = 2 };
+
+/* Of the time. */
+static const double reference_share = 0.3, timing_share = 0.3;
+/* A curve ends below so many times the reference's own noise, which makes 8 % of it there, and is
+ * taken off. */
+static const double least_over_reference = 2.5;
+
+/* A curve as it is drawn. */
+typedef struct Drawn {
+    Combination combination;
+    int panels; /* in which it is */
+    int color;
+    PlotMarker marker;
+    PlotLine line;
+    Curve curve;
+    ParetoPoint points[CURVE_MOST_POINTS];
+    int count;
+} Drawn;
+
+typedef struct Paths {
+    const ChartParams *params;
+    Drawn curves[MOST_CURVES];
+    int count;
+    Reference reference;
+    Ledger ledger;
+} Paths;
+
+static void add(Paths *paths, const Drawn *curve) {
+    if (paths->count < MOST_CURVES) paths->curves[paths->count++] = *curve;
+}
+
+/* Which sky the scene gets if none is asked for, and whether it is one that sums along the ray. */
+static bool sky_integrates(const RenderParams *picture) {
+    MethodChoice choice;
+    Error ignored;
+    return !picture->scene->sky[0] ||
+           (method_choose(&choice, METHOD_SKY, picture->scene->sky, &ignored) && choice.method->integrates);
+}
+
+/* One light under auto's sky, by adaptive sampling and evenly: of the second the other sequences too where
+ * `all` are wanted.
+ */
+static void add_light(Paths *paths, const char *light, int color, bool all) {
+    Drawn drawn = {.combination = {NULL, light, "sobol", true},
+                   .panels = PANEL_LIGHTS,
+                   .color = color,
+                   .marker = PLOT_DIAMOND,
+                   .line = PLOT_SOLID};
+    add(paths, &drawn);
+    drawn.combination.adaptive = false;
+    drawn.marker = PLOT_DOT;
+    drawn.line = PLOT_DASHED;
+    add(paths, &drawn);
+    for (int i = 0; all && i < 2; i++) {
+        drawn.combination.sequence = i ? "random" : "additive";
+        drawn.marker = i ? PLOT_TRIANGLE : PLOT_SQUARE;
+        drawn.line = PLOT_DOTTED;
+        add(paths, &drawn);
+    }
+}
+
+/* The first curve is what `render` does by itself. `--light paper` is left out: it makes a picture of its
+ * own. */
+static void choose_curves(Paths *paths) {
+    static const char *const skies[] = {NULL,       "gauss:4",    "gauss:6",    "gauss:8",
+                                        "gauss:12", "paper:16x4", "paper:64x16"};
+    const RenderParams *picture = &paths->params->picture;
+    bool integrates = sky_integrates(picture);
+    bool control = integrates && picture->scene->bound_count;
+    add(paths, &(Drawn){.combination = {.adaptive = true}});
+    if (control) add_light(paths, "control", 0, true);
+    add_light(paths, "mis", 1, false);
+    add_light(paths, "cosine", 2, !control);
+    for (int i = 0; integrates && i < 7; i++) {
+        add(paths, &(Drawn){.combination = {skies[i], "cosine", "sobol", false},
+                            .panels = PANEL_SKIES,
+                            .color = i,
+                            .marker = i == 0  ? PLOT_SQUARE
+                                      : i < 5 ? PLOT_DOT
+                                              : PLOT_DIAMOND});
+    }
+}
+
+static RenderParams with(const RenderParams *picture, const Combination *combination) {
+    RenderParams params = *picture;
+    params.sky = combination->sky;
+    params.light = combination->light;
+    params.sequence = combination->sequence;
+    params.samples = 0;
+    return params;
+}
+
+static bool open_ledger(Paths *paths, Error *error) {
+    const ChartParams *params = paths->params;
+    Text identity = {0};
+    uint64_t hash = 0;
+    bool ok = true;
+    for (int i = 0; ok && i < paths->count; i++) {
+        RenderParams mine = with(&params->picture, &paths->curves[i].combination);
+        ok = identity_add_shader(&mine, &hash, error);
+    }
+    text_print(&identity, "%s", params->identity);
+    identity_of_picture(&params->picture, &identity);
+    text_print(&identity, "# shaders %016" PRIx64 "\n", hash);
+    char *path = chart_path(params, "paths.csv");
+    ok = ok && ledger_open(&paths->ledger, path, text_string(&identity), CURVE_WORDS, CURVE_COLUMNS,
+                           params->said, error);
+    free(path);
+    text_free(&identity);
+    return ok;
+}
+
+static bool get_reference(Paths *paths, Error *error) {
+    const ChartParams *params = paths->params;
+    Text identity = {0};
+    uint64_t hash = 0;
+    RenderParams mine = with(&params->picture, &(Combination){0});
+    if (sky_integrates(&params->picture)) mine.sky = REFERENCE_SKY;
+    if (!identity_add_shader(&mine, &hash, error)) return false;
+    identity_of_picture(&params->picture, &identity);
+    text_print(&identity, "# shader %016" PRIx64, hash);
+    char *path = chart_path(params, "reference.exr");
+    Watch watch = watch_part(&params->watch, 0, reference_share);
+    bool ok = reference_get(&paths->reference, path, text_string(&identity), params->context,
+                            &params->picture, reference_share * params->seconds, &watch, error);
+    free(path);
+    text_free(&identity);
+    return ok;
+}
+
+/* Whether another of the curves before is the same combination, as auto's choice is one of the others. */
+static bool is_doubled(const Paths *paths, int at) {
+    for (int i = 0; i < at; i++) {
+        if (paths->curves[i].curve.open &&
+            ledger_same(&paths->ledger, &paths->curves[i].curve.row, &paths->curves[at].curve.row))
+            return true;
+    }
+    return false;
+}
+
+static bool open_curves(Paths *paths, Error *error) {
+    const ChartParams *params = paths->params;
+    for (int i = 0; i < paths->count && !watch_stopped(&params->watch); i++) {
+        Drawn *drawn = &paths->curves[i];
+        watch_report(&params->watch, reference_share, "compiling");
+        if (!curve_open(&drawn->curve, &drawn->combination, params->context, &params->picture, &paths->ledger,
+                        error))
+            return false;
+        if (is_doubled(paths, i)) curve_close(&drawn->curve);
+    }
+    return true;
+}
+
+/* In turns, once at least; those whose share of the time is spent wait. */
+static bool time_curves(Paths *paths, const CurveLimits *limits, Error *error) {
+    const ChartParams *params = paths->params;
+    double share = timing_share * params->seconds / paths->count;
+    bool timed = true;
+    for (int round = 0; timed && !watch_stopped(&params->watch); round++) {
+        timed = false;
+        for (int i = 0; i < paths->count && !watch_stopped(&params->watch); i++) {
+            Curve *curve = &paths->curves[i].curve;
+            if (!curve->open || (round && curve->spent > share)) continue;
+            watch_report(&params->watch, reference_share + timing_share * fmin(curve->spent / share, 1),
+                         "timing in turns");
+            if (!renderer_use(&curve->renderer, params->picture.scene, error) ||
+                !curve_time(curve, &paths->reference, limits, &params->watch, error))
+                return false;
+            timed = true;
+        }
+    }
+    return true;
+}
+
+/* The reference's, judged as the curves are. */
+static double noise_of(const Paths *paths) {
+    const Reference *reference = &paths->reference;
+    return paths->curves[0].curve.trimmed ? reference->trimmed_percent : reference->error_percent;
+}
+
+static bool measure(Paths *paths, Error *error) {
+    const ChartParams *params = paths->params;
+    double before = reference_share + timing_share, each = (1 - before) / paths->count;
+    if (!open_curves(paths, error)) return false;
+    /* The points of a curve take twice the time of the last. */
+    CurveLimits limits = {each * params->seconds / 2, least_over_reference * noise_of(paths)};
+    if (!time_curves(paths, &limits, error)) return false;
+    for (int i = 0; i < paths->count && !watch_stopped(&params->watch); i++) {
+        Curve *curve = &paths->curves[i].curve;
+        Watch watch = watch_part(&params->watch, before + each * i, before + each * (i + 1));
+        if (curve->open && (!renderer_use(&curve->renderer, params->picture.scene, error) ||
+                            !curve_measure(curve, &paths->reference, &limits, &watch, &paths->ledger, error)))
+            return false;
+        curve_close(curve);
+    }
+    for (int i = 0; i < paths->count; i++) {
+        Drawn *drawn = &paths->curves[i];
+        drawn->count = curve_points(&paths->ledger, &drawn->curve.row, drawn->points);
+    }
+    return true;
+}
+
+static ParetoCurve points_of(const Drawn *drawn) {
+    return (ParetoCurve){drawn->points, drawn->count};
+}
+
+static void draw_front(const Paths *paths, PlotPanel *panel) {
+    ParetoCurve curves[MOST_CURVES];
+    ParetoPoint front[PLOT_POINTS];
+    for (int i = 0; i < paths->count; i++) curves[i] = points_of(&paths->curves[i]);
+    panel->front_count = pareto_front(curves, paths->count, front, PLOT_POINTS);
+    for (int i = 0; i < panel->front_count; i++)
+        panel->front[i] = (PlotPoint){.x = front[i].seconds, .y = front[i].percent};
+}
+
+static void draw_curve(PlotPanel *panel, const Drawn *curve, const char *label) {
+    PlotSeries *series = plot_add_series(panel, curve->color, curve->marker, curve->line, "%s", label);
+    for (int i = 0; i < curve->count; i++)
+        plot_add_point(series, curve->points[i].seconds, curve->points[i].percent);
+}
+
+static void draw_panel(const Paths *paths, Plot *plot, int which, const char *title) {
+    PlotPanel *panel = &plot->panels[plot->panel_count];
+    snprintf(panel->title, sizeof panel->title, "%s", title);
+    snprintf(panel->x_label, sizeof panel->x_label, "seconds of rendering");
+    snprintf(panel->y_label, sizeof panel->y_label, "relRMSE, %%");
+    for (int i = 0; i < paths->count; i++) {
+        const Drawn *curve = &paths->curves[i];
+        char label[112];
+        if (!(curve->panels & which)) continue;
+        if (which == PANEL_LIGHTS) {
+            bool plain = strcmp(curve->curve.row.words[2], "sobol") == 0;
+            snprintf(label, sizeof label, "%s, %s", curve->curve.row.words[1],
+                     curve->curve.row.words[plain ? 3 : 2]);
+        } else {
+            snprintf(label, sizeof label, "%s", curve->curve.row.words[0]);
+        }
+        draw_curve(panel, curve, label);
+    }
+    draw_front(paths, panel);
+    plot->panel_count += panel->series_count > 0;
+}
+
+/* When the first of the curves reaches the error, and which. */
+static double first_at(const Paths *paths, double percent, const Drawn **first) {
+    double least = INFINITY;
+    for (int i = 0; i < paths->count; i++) {
+        ParetoCurve curve = points_of(&paths->curves[i]);
+        double seconds = pareto_seconds(&curve, percent);
+        if (seconds < least) least = seconds, *first = &paths->curves[i];
+    }
+    return least;
+}
+
+static void print_methods(const Drawn *drawn, Text *out) {
+    for (int i = 0; i < CURVE_WORDS; i++) text_print(out, "%s%s", i ? " " : "", drawn->curve.row.words[i]);
+}
+
+static void say_auto(const Paths *paths, const Drawn *automatic, const Drawn *first, double percent,
+                     double seconds, double least) {
+    Text *said = paths->params->said;
+    text_print(said, "auto, ");
+    print_methods(automatic, said);
+    text_print(said, ": %.3g %%%s in %.3g s, %.2f times the quickest, ", percent,
+               percent > paths->params->error_percent ? ", the least measured," : "", seconds,
+               seconds / least);
+    print_methods(first, said);
+    text_print(said, "\n");
+}
+
+/* Rings auto's curve where it has the error asked for, or at its end; says how far that is from the front. */
+static void mark_auto(const Paths *paths, Plot *plot) {
+    const Drawn *automatic = &paths->curves[0], *first = automatic;
+    double percent = paths->params->error_percent;
+    if (!automatic->count) return;
+    ParetoCurve curve = points_of(automatic);
+    if (!(pareto_seconds(&curve, percent) < INFINITY)) percent = curve.points[curve.count - 1].percent;
+    double seconds = pareto_seconds(&curve, percent);
+    double least = first_at(paths, percent, &first);
+    say_auto(paths, automatic, first, percent, seconds, least);
+    for (int i = 0; i < plot->panel_count; i++) {
+        PlotPanel *panel = &plot->panels[i];
+        panel->ring = (PlotPoint){.x = seconds, .y = percent};
+        snprintf(panel->ring_label, sizeof panel->ring_label, "auto: %.2g %% in %.2g s", percent, seconds);
+    }
+}
+
+static bool draw(const Paths *paths, Error *error) {
+    const ChartParams *params = paths->params;
+    Plot *plot = memory_get(1, sizeof *plot);
+    Text words = {0};
+    chart_describe(params, &words);
+    snprintf(plot->title, sizeof plot->title, "Speed against accuracy: %s", text_string(&words));
+    snprintf(plot->subtitle, sizeof plot->subtitle,
+             "%s against a converged picture (its own noise %.2g %%); %s",
+             paths->curves[0].curve.trimmed ? "relRMSE without the 0.1 % worst pixels" : "relRMSE",
+             noise_of(paths), params->context->renderer);
+    plot->same_axes = true;
+    char lights[96];
+    snprintf(lights, sizeof lights, "Light, sampling, sequence; %s", paths->curves[0].curve.row.words[0]);
+    draw_panel(paths, plot, PANEL_LIGHTS, lights);
+    draw_panel(paths, plot, PANEL_SKIES, "Skies, by cosine, evenly");
+    mark_auto(paths, plot);
+    char *path = chart_path(params, "paths");
+    bool ok = plot_write(plot, path, error);
+    free(path);
+    text_free(&words);
+    free(plot);
+    return ok;
+}
+
+bool chart_paths(const ChartParams *params, Error *error) {
+    Paths *paths = memory_get(1, sizeof *paths);
+    paths->params = params;
+    choose_curves(paths);
+    bool ok = open_ledger(paths, error) && get_reference(paths, error);
+    if (ok && !watch_stopped(&params->watch)) {
+        text_print(params->said, "reference: relRMSE %.3g %% by its two halves%s\n",
+                   paths->reference.error_percent, paths->reference.kept ? ", kept from before" : "");
+        ok = measure(paths, error);
+    }
+    if (ok && !watch_stopped(&params->watch)) ok = draw(paths, error);
+    for (int i = 0; i < paths->count; i++) curve_close(&paths->curves[i].curve);
+    reference_free(&paths->reference);
+    ledger_close(&paths->ledger);
+    free(paths);
+    return ok;
+}

@@ -1,0 +1,269 @@
+#include "chart/chart.h"
+#include "chart/field.h"
+#include "chart/identity.h"
+#include "chart/ledger.h"
+#include "chart/plot.h"
+#include "chart/slope.h"
+
+#include "base/clock.h"
+#include "base/file.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { SAMPLES = 16, MOST_STEPS = 8 };
+
+static const double turn_seconds = 0.1;
+
+typedef enum What { PIXELS, SAMPLE_COUNT, DEPTH, CALLS, SET, WHATS } What;
+
+/* What grows, the words before its slope, and by which steps: sides of square pictures, samples, hits,
+ * spheres. */
+static const struct {
+    const char *name, *label;
+    int panel;
+    int steps[MOST_STEPS];
+} sweeps[WHATS] = {
+    [PIXELS] = {"pixels", "", 0, {64, 128, 256, 512, 1024}},
+    [SAMPLE_COUNT] = {"samples", "", 1, {1, 4, 16, 64, 256}},
+    [DEPTH] = {"depth", "", 2, {1, 2, 4, 8, 16, 32}},
+    [CALLS] = {"sphere-calls", "a call each: ", 3, {1, 3, 10, 30, 100}},
+    [SET] = {"sphere-set", "one set of all: ", 3, {1, 3, 10, 30, 100, 300, 1000}},
+};
+
+static const struct {
+    const char *title, *x_label;
+    bool proportional; /* whether it should be */
+} panels[] = {
+    {"Picture size", "pixels", true},
+    {"Samples", "samples a pixel", true},
+    {"Depth", "surface hits at most", false},
+    {"Shapes", "spheres on a plane", false},
+};
+enum { PANELS = sizeof panels / sizeof *panels };
+
+/* One point: a picture that is rendered again and again. */
+typedef struct Step {
+    double x;
+    uint64_t samples;
+    Scene scene; /* of the fields; the scene's own steps borrow the chart's */
+    bool own_scene, open;
+    RenderParams params;
+    Renderer renderer;
+    double best;
+} Step;
+
+typedef struct Scale {
+    const ChartParams *params;
+    Ledger ledger;
+} Scale;
+
+/* Reads a field's scene; its file is there only while it is needed. */
+static bool write_field(const Scale *scale, Step *step, What what, int count, Error *error) {
+    Text text = {0};
+    char *path = chart_path(scale->params, "field.glsl");
+    (what == SET ? field_of_set : field_of_calls)(count, &text);
+    bool ok = file_replace(path, text.data, text.size, error) && scene_read(&step->scene, path, error);
+    step->own_scene = ok;
+    text_free(&text);
+    free(path);
+    return ok;
+}
+
+static bool open_step(const Scale *scale, Step *step, What what, int value, Error *error) {
+    const ChartParams *params = scale->params;
+    *step = (Step){.x = value, .samples = SAMPLES, .params = params->picture, .best = INFINITY};
+    if (what == PIXELS) {
+        step->x = (double)value * value;
+        step->params.width = step->params.height = value;
+    }
+    if (what == SAMPLE_COUNT) step->samples = (uint64_t)value;
+    if (what == DEPTH) step->params.max_hits = value;
+    if (what == CALLS || what == SET) {
+        if (!write_field(scale, step, what, value, error)) return false;
+        step->params.scene = &step->scene;
+        step->params.max_hits = 0;
+        step->params.sun_disk = NULL;
+    }
+    /* The same methods at every size. */
+    step->params.samples = 0;
+    step->open = renderer_create(&step->renderer, params->context, &step->params, error) &&
+                 renderer_pass(&step->renderer, 1, NULL, error);
+    return step->open;
+}
+
+static void close_step(Step *step) {
+    if (step->open) renderer_destroy(&step->renderer);
+    if (step->own_scene) scene_destroy(&step->scene);
+    *step = (Step){0};
+}
+
+static bool time_once(Step *step, const Watch *watch, Error *error) {
+    Film *film = &step->renderer.film;
+    film_reset(film);
+    step->renderer.gl->Finish();
+    double start = clock_seconds();
+    while (film->samples < step->samples && !watch_stopped(watch)) {
+        if (!renderer_pass(&step->renderer, step->samples - film->samples, watch->stop, error)) return false;
+    }
+    if (!watch_stopped(watch)) step->best = fmin(step->best, clock_seconds() - start);
+    return true;
+}
+
+/* Short ones several times, so that small pictures are known as well as large ones. */
+static bool time_step(Step *step, const Watch *watch, Error *error) {
+    double start = clock_seconds();
+    if (!renderer_use(&step->renderer, step->params.scene, error)) return false;
+    do {
+        if (!time_once(step, watch, error)) return false;
+    } while (!watch_stopped(watch) && clock_seconds() - start < turn_seconds);
+    return true;
+}
+
+/* All steps of a sweep in turns, at least twice: the quickest of each. */
+static bool time_sweep(Step *steps, int count, double seconds, const Watch *watch, const char *words,
+                       Error *error) {
+    double start = clock_seconds(), spent = 0;
+    for (int round = 0; round < 2 || spent < seconds; round++) {
+        for (int i = 0; i < count; i++) {
+            watch_report(watch, fmin(spent / seconds, 1), words);
+            if (watch_stopped(watch)) return true;
+            if (!time_step(&steps[i], watch, error)) return false;
+            spent = clock_seconds() - start;
+        }
+    }
+    return true;
+}
+
+static int count_steps(What what) {
+    int count = 0;
+    while (count < MOST_STEPS && sweeps[what].steps[count]) count++;
+    return count;
+}
+
+static int points_of(const Scale *scale, What what, double *x, double *y) {
+    int count = 0;
+    for (int i = 0; i < scale->ledger.count && count < MOST_STEPS; i++) {
+        const LedgerRow *row = &scale->ledger.rows[i];
+        if (strcmp(row->words[0], sweeps[what].name) != 0) continue;
+        x[count] = row->numbers[0];
+        y[count++] = row->numbers[1];
+    }
+    return count;
+}
+
+static bool keep_steps(Scale *scale, What what, const Step *steps, int count, Error *error) {
+    LedgerRow row = {0};
+    snprintf(row.words[0], sizeof row.words[0], "%s", sweeps[what].name);
+    if (!ledger_drop(&scale->ledger, &row, error)) return false;
+    for (int i = 0; i < count; i++) {
+        row.numbers[0] = steps[i].x;
+        row.numbers[1] = steps[i].best;
+        if (!ledger_add(&scale->ledger, &row, error)) return false;
+    }
+    return true;
+}
+
+static bool measure(Scale *scale, What what, Error *error) {
+    double x[MOST_STEPS], y[MOST_STEPS];
+    int count = count_steps(what);
+    if (points_of(scale, what, x, y) == count) return true;
+    Step *steps = memory_get((size_t)count, sizeof *steps);
+    Watch watch = watch_part(&scale->params->watch, (double)what / WHATS, (what + 1.0) / WHATS);
+    bool ok = true;
+    for (int i = 0; ok && i < count && !watch_stopped(&watch); i++)
+        ok = open_step(scale, &steps[i], what, sweeps[what].steps[i], error);
+    ok = ok && time_sweep(steps, count, scale->params->seconds / WHATS, &watch, sweeps[what].name, error) &&
+         (watch_stopped(&watch) || keep_steps(scale, what, steps, count, error));
+    for (int i = 0; i < count; i++) close_step(&steps[i]);
+    free(steps);
+    return ok;
+}
+
+/* The y at this x; 0 where it was not measured. */
+static double value_at(const double *x, const double *y, int count, double wanted) {
+    for (int i = 0; i < count; i++) {
+        if (x[i] == wanted) return y[i];
+    }
+    return 0;
+}
+
+static void draw_sweep(const Scale *scale, Plot *plot, What what) {
+    PlotPanel *panel = &plot->panels[sweeps[what].panel];
+    double x[MOST_STEPS], y[MOST_STEPS];
+    Text words = {0};
+    int count = points_of(scale, what, x, y);
+    if (count < 2) return;
+    double slope = slope_fit(x, y, count), first = value_at(x, y, count, 10);
+    if (panels[sweeps[what].panel].proportional) {
+        text_print(&words, "slope %.3f, within %.1f %% of proportional", slope,
+                   100 * slope_departure(x, y, count));
+    } else {
+        text_print(&words, "%sslope %.2f", sweeps[what].label, slope);
+    }
+    if (what == SET) plot_add_note(panel, "1000 of a set cost %.2f times 10", y[count - 1] / first);
+    PlotSeries *series = plot_add_series(panel, what == SET, what == SET ? PLOT_SQUARE : PLOT_DOT, PLOT_SOLID,
+                                         "%s", text_string(&words));
+    for (int i = 0; i < count; i++) plot_add_point(series, x[i], y[i]);
+    text_print(scale->params->said, "%s: %s, %g costs %.2f times %g\n", sweeps[what].name,
+               text_string(&words), x[count - 1], y[count - 1] / y[0], x[0]);
+    text_free(&words);
+}
+
+static bool draw(const Scale *scale, Error *error) {
+    const ChartParams *params = scale->params;
+    Plot *plot = memory_get(1, sizeof *plot);
+    Text words = {0};
+    chart_describe(params, &words);
+    snprintf(plot->title, sizeof plot->title, "Cost against scale: %s", text_string(&words));
+    snprintf(plot->subtitle, sizeof plot->subtitle,
+             "%d samples a pixel, the quickest of some runs in turns; %s", SAMPLES,
+             params->context->renderer);
+    plot->panel_count = PANELS;
+    for (int i = 0; i < PANELS; i++) {
+        PlotPanel *panel = &plot->panels[i];
+        snprintf(panel->title, sizeof panel->title, "%s", panels[i].title);
+        snprintf(panel->x_label, sizeof panel->x_label, "%s", panels[i].x_label);
+        snprintf(panel->y_label, sizeof panel->y_label, "seconds");
+    }
+    for (int what = 0; what < WHATS; what++) draw_sweep(scale, plot, (What)what);
+    char *path = chart_path(params, "scale");
+    bool ok = plot_write(plot, path, error);
+    free(path);
+    text_free(&words);
+    free(plot);
+    return ok;
+}
+
+static bool open_ledger(Scale *scale, Error *error) {
+    const ChartParams *params = scale->params;
+    Text identity = {0};
+    uint64_t hash = 0;
+    text_print(&identity, "%s", params->identity);
+    identity_of_picture(&params->picture, &identity);
+    bool ok = identity_add_shader(&params->picture, &hash, error);
+    text_print(&identity, "# shader %016" PRIx64 "\n", hash);
+    char *path = chart_path(params, "scale.csv");
+    ok = ok &&
+         ledger_open(&scale->ledger, path, text_string(&identity), 1, "what,x,seconds", params->said, error);
+    free(path);
+    text_free(&identity);
+    return ok;
+}
+
+bool chart_scale(const ChartParams *params, Error *error) {
+    Scale scale = {.params = params};
+    bool ok = open_ledger(&scale, error);
+    for (int what = 0; ok && what < WHATS && !watch_stopped(&params->watch); what++)
+        ok = measure(&scale, (What)what, error);
+    if (ok && !watch_stopped(&params->watch)) ok = draw(&scale, error);
+    char *field = chart_path(params, "field.glsl");
+    unlink(field);
+    free(field);
+    ledger_close(&scale.ledger);
+    return ok;
+}

@@ -1,0 +1,71 @@
+#include "chart/identity.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+/* 64-bit FNV-1a. */
+static uint64_t hash_bytes(uint64_t hash, const void *data, size_t size) {
+    const unsigned char *bytes = data;
+    if (!hash) hash = 0xcbf29ce484222325U;
+    for (size_t i = 0; i < size; i++) hash = (hash ^ bytes[i]) * 0x100000001b3U;
+    return hash;
+}
+
+static void print_values(const char *name, const double *values, int count, Text *out) {
+    text_print(out, "%s", name);
+    for (int i = 0; i < count; i++) text_print(out, " %.9g", values[i]);
+    text_print(out, "\n");
+}
+
+void identity_of_picture(const RenderParams *params, Text *out) {
+    const Scene *scene = params->scene;
+    Text rest = {0};
+    print_values("eye", scene->eye, 3, &rest);
+    print_values("target", scene->target, 3, &rest);
+    print_values("fov", &scene->fov_deg, 1, &rest);
+    print_values("radius", &scene->sun_radius_deg, 1, &rest);
+    for (int i = 0; i < scene->parameter_count; i++)
+        print_values(scene->parameters[i].name, scene->parameters[i].value, 3, &rest);
+    for (int i = 0; atmosphere_field(i); i++) {
+        const AtmosphereField *field = atmosphere_field(i);
+        print_values(field->name, atmosphere_value(&scene->atmosphere, field), field->count, &rest);
+    }
+    text_print(out, "# scene %s\n# sun %.9g,%.9g disk %s\n", scene->path, scene->sun_elevation_deg,
+               scene->sun_azimuth_deg,
+               params->sun_disk  ? params->sun_disk
+               : scene->sun_disk ? "on"
+                                 : "off");
+    text_print(out, "# size %dx%d, depth %d\n# settings %016" PRIx64 "\n",
+               params->width ? params->width : scene->width, params->height ? params->height : scene->height,
+               params->max_hits, hash_bytes(0, rest.data, rest.size));
+    text_free(&rest);
+}
+
+/* The processor's name, where Linux tells it. */
+static void print_processor(Text *out) {
+    char line[256];
+    FILE *file = fopen("/proc/cpuinfo", "r");
+    while (file && fgets(line, sizeof line, file)) {
+        char *colon = strchr(line, ':');
+        if (strncmp(line, "model name", 10) != 0 || !colon) continue;
+        text_print(out, ", %.*s", (int)strcspn(colon + 2, "\n"), colon + 2);
+        break;
+    }
+    if (file) fclose(file);
+}
+
+void identity_of_machine(const Context *context, Text *out) {
+    text_print(out, "# machine %s, %s", context->renderer, context->version);
+    print_processor(out);
+    text_print(out, ", %ld processors\n", sysconf(_SC_NPROCESSORS_ONLN));
+}
+
+bool identity_add_shader(const RenderParams *params, uint64_t *hash, Error *error) {
+    GlslSource source;
+    if (!renderer_flatten(params, &source, error)) return false;
+    *hash = hash_bytes(*hash, source.text.data, source.text.size);
+    glsl_source_destroy(&source);
+    return true;
+}

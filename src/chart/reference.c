@@ -1,0 +1,170 @@
+#include "chart/reference.h"
+
+#include "base/clock.h"
+#include "image/compare.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { FIRST_SEED = 0x5eed0000 }; /* far from those that users count up from 0 */
+
+/* Of the time, for the difference between the exact sky and the table. */
+static const double correction_share = 0.25;
+
+/* The light and sequence of the first part: those of the others too, or the same random numbers would make
+ * other paths. */
+typedef struct Paths {
+    char light[48], sequence[48];
+} Paths;
+
+/* A picture to be added to a half, `weight` times. */
+typedef struct Part {
+    const char *sky; /* NULL for auto's */
+    unsigned seed;
+    double seconds;   /* 0: `samples` */
+    uint64_t samples; /* also what was taken */
+    double weight;
+} Part;
+
+typedef struct Maker {
+    const Context *context;
+    const RenderParams *params;
+    const Watch *watch;
+    Paths paths;
+    double done, whole; /* seconds */
+} Maker;
+
+static bool render_part(Maker *maker, Part *part, Image *half, Error *error) {
+    RenderParams params = *maker->params;
+    Renderer renderer;
+    Image image = {0};
+    FilmCount count;
+    params.sky = part->sky;
+    params.light = *maker->paths.light ? maker->paths.light : NULL;
+    params.sequence = *maker->paths.sequence ? maker->paths.sequence : NULL;
+    params.seed = part->seed;
+    params.samples = 0;
+    if (!renderer_create(&renderer, maker->context, &params, error)) return false;
+    snprintf(maker->paths.light, sizeof maker->paths.light, "%s", renderer.light.text);
+    snprintf(maker->paths.sequence, sizeof maker->paths.sequence, "%s", renderer.sequence.text);
+    uint64_t most = part->samples ? part->samples : UINT32_MAX;
+    double start = clock_seconds();
+    bool ok = true;
+    while (ok && renderer.film.samples < most && !watch_stopped(maker->watch)) {
+        double spent = clock_seconds() - start;
+        if (!part->samples && spent >= part->seconds) break;
+        watch_report(maker->watch, fmin((maker->done + spent) / maker->whole, 1), "reference");
+        ok = renderer_pass(&renderer, most - renderer.film.samples, maker->watch->stop, error);
+    }
+    maker->done += clock_seconds() - start;
+    part->samples = renderer.film.samples;
+    ok = ok && film_read(&renderer.film, &image, &count, error);
+    size_t values = ok ? 4 * (size_t)image.width * (size_t)image.height : 0;
+    if (ok && !half->rgba) *half = image_create(image.width, image.height);
+    for (size_t i = 0; i < values; i++) half->rgba[i] += (float)part->weight * image.rgba[i];
+    image_free(&image);
+    renderer_destroy(&renderer);
+    return ok;
+}
+
+/* Whether the scene's sky is one of those that a table is made of. */
+static bool integrates(const RenderParams *params) {
+    MethodChoice choice;
+    Error ignored;
+    const char *sky = params->sky ? params->sky : params->scene->sky;
+    return method_choose(&choice, METHOD_SKY, *sky ? sky : NULL, &ignored) && choice.method->integrates;
+}
+
+static bool render_half(Maker *maker, unsigned seed, double seconds, Image *half, Error *error) {
+    if (!integrates(maker->params)) {
+        Part whole = {.seed = seed, .seconds = seconds, .weight = 1};
+        return render_part(maker, &whole, half, error);
+    }
+    Part table = {.sky = "table:gauss:8", .seed = seed, .weight = 1};
+    Part exact = {.sky = REFERENCE_SKY, .seed = seed + 1, .weight = 1};
+    table.seconds = (1 - correction_share) * seconds;
+    exact.seconds = correction_share * seconds;
+    if (!render_part(maker, &table, half, error) || !render_part(maker, &exact, half, error)) return false;
+    Part same = {.sky = table.sky, .seed = exact.seed, .samples = exact.samples, .weight = -1};
+    return watch_stopped(maker->watch) || render_part(maker, &same, half, error);
+}
+
+static bool make(Reference *reference, Maker *maker, double seconds, Error *error) {
+    Image other = {0};
+    Comparison between;
+    maker->whole = seconds;
+    bool ok = render_half(maker, FIRST_SEED, seconds / 2, &reference->image, error) &&
+              render_half(maker, FIRST_SEED + 2, seconds / 2, &other, error);
+    if (ok && watch_stopped(maker->watch)) {
+        image_free(&reference->image);
+    } else if (ok) {
+        ok = compare_images(&reference->image, &other, NULL, NULL, &between, error);
+        /* The mean of two halves is off by half of what they differ by. */
+        reference->error_percent = between.rel_rmse_percent / 2;
+        reference->trimmed_percent = between.trimmed_percent / 2;
+        size_t values = 4 * (size_t)other.width * (size_t)other.height;
+        for (size_t i = 0; i < values; i++)
+            reference->image.rgba[i] = 0.5F * (reference->image.rgba[i] + other.rgba[i]);
+    }
+    image_free(&other);
+    return ok;
+}
+
+static bool read_kept(Reference *reference, const char *path, const char *identity) {
+    Text there = {0}, percent = {0}, trimmed = {0};
+    Error ignored;
+    bool fits = exr_attribute(path, "magichour.chart", &there) &&
+                strcmp(text_string(&there), identity) == 0 &&
+                exr_attribute(path, "magichour.error_percent", &percent) &&
+                number_parse(text_string(&percent), &reference->error_percent) &&
+                exr_attribute(path, "magichour.trimmed_percent", &trimmed) &&
+                number_parse(text_string(&trimmed), &reference->trimmed_percent) &&
+                image_read(&reference->image, path, &ignored);
+    text_free(&there);
+    text_free(&percent);
+    text_free(&trimmed);
+    return fits;
+}
+
+static bool keep(const Reference *reference, const char *path, const char *identity, Error *error) {
+    AttributeList list = {0};
+    attribute_add(&list, "magichour.chart", "%s", identity);
+    attribute_add(&list, "magichour.error_percent", "%.6g", reference->error_percent);
+    attribute_add(&list, "magichour.trimmed_percent", "%.6g", reference->trimmed_percent);
+    bool ok = image_write(&reference->image, path, &(ImageWriteParams){.attributes = &list}, error);
+    attribute_list_free(&list);
+    return ok;
+}
+
+bool reference_get(Reference *reference, const char *path, const char *identity, const Context *context,
+                   const RenderParams *params, double seconds, const Watch *watch, Error *error) {
+    Maker maker = {.context = context, .params = params, .watch = watch};
+    *reference = (Reference){0};
+    if (read_kept(reference, path, identity)) {
+        reference->kept = true;
+        return true;
+    }
+    if (make(reference, &maker, seconds, error) &&
+        (!reference->image.rgba || keep(reference, path, identity, error)))
+        return true;
+    reference_free(reference);
+    return false;
+}
+
+void reference_free(Reference *reference) {
+    image_free(&reference->image);
+    *reference = (Reference){0};
+}
+
+bool reference_error(const Reference *reference, const Image *image, bool trimmed, double *percent,
+                     Error *error) {
+    Comparison between;
+    if (!compare_images(image, &reference->image, NULL, NULL, &between, error)) return false;
+    if (between.nonfinite)
+        return error_set(error, STATUS_FAILURE, "%ld pixels are not finite", between.nonfinite);
+    double measured = trimmed ? between.trimmed_percent : between.rel_rmse_percent;
+    double noise = trimmed ? reference->trimmed_percent : reference->error_percent;
+    *percent = sqrt(fmax(measured * measured - noise * noise, 0));
+    return true;
+}

@@ -1,0 +1,233 @@
+#include "chart/term.h"
+
+#include "base/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* As flat as it gets: a planet so many times larger, with the same air above it. */
+static const double flat = 100;
+
+Variation *variation_create(const RenderParams *params) {
+    Variation *variation = memory_get(1, sizeof *variation);
+    variation->scene = *params->scene;
+    variation->params = *params;
+    variation->params.scene = &variation->scene;
+    return variation;
+}
+
+static TermState state_of(bool possible, bool on) {
+    return !possible ? TERM_NONE : on ? TERM_ON : TERM_OFF;
+}
+
+static bool has_air(const Renderer *renderer) {
+    return renderer->sky.choice.method->integrates;
+}
+
+static TermState rayleigh_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    return state_of(has_air(renderer), params->scene->atmosphere.rayleigh > 0);
+}
+
+static void rayleigh_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    variation->scene.atmosphere.rayleigh = on;
+}
+
+static TermState mie_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    return state_of(has_air(renderer), params->scene->atmosphere.mie > 0);
+}
+
+static void mie_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    variation->scene.atmosphere.mie = on;
+}
+
+static TermState ozone_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    return state_of(has_air(renderer), params->scene->atmosphere.ozone > 0);
+}
+
+static void ozone_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    variation->scene.atmosphere.ozone = on;
+}
+
+static TermState curvature_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    return state_of(has_air(renderer) && flat * params->scene->atmosphere.planet_radius_m < 1e9, true);
+}
+
+static bool asks_table(const Variation *variation) {
+    return strncmp(variation->params.sky, "table:", 6) == 0;
+}
+
+/* Rays to a flat horizon are long: fewer nodes would err by more than the curvature changes. */
+static void curvature_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    (void)on;
+    Atmosphere *a = &variation->scene.atmosphere;
+    double thickness = a->top_radius_m - a->planet_radius_m;
+    a->planet_radius_m *= flat;
+    a->top_radius_m = a->planet_radius_m + thickness;
+    variation->params.sky = asks_table(variation) ? "table:gauss:12" : "gauss:12";
+}
+
+static bool has_disk(const Renderer *renderer) {
+    return strcmp(renderer->sun_disk.method->name, "off") != 0;
+}
+
+static TermState disk_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    return state_of(params->scene->sun_elevation_deg > -params->scene->sun_radius_deg, has_disk(renderer));
+}
+
+static void disk_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    variation->params.sun_disk = on ? "auto" : "off";
+}
+
+/* Off, that light is left to chance, which finds next to none of it. */
+static TermState caustic_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    return state_of(has_disk(renderer) && params->scene->mirror_count, true);
+}
+
+static void caustic_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    (void)on;
+    variation->scene.mirror_count = 0;
+}
+
+static TermState hits_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)renderer;
+    return state_of(true, !params->max_hits || params->max_hits > term->number);
+}
+
+static void hits_turn(const Term *term, Variation *variation, bool on) {
+    variation->params.max_hits = on ? 0 : term->number;
+}
+
+static bool is_gauss(const Renderer *renderer) {
+    return strcmp(renderer->sky.choice.method->name, "gauss") == 0;
+}
+
+/* "More than N nodes". */
+static TermState nodes_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)params;
+    return state_of(is_gauss(renderer), renderer->sky.choice.counts[0] > term->number);
+}
+
+static void nodes_turn(const Term *term, Variation *variation, bool on) {
+    static const char *const tables[] = {[4] = "table:gauss:4", [6] = "table:gauss:6", [8] = "table:gauss:8"};
+    const char *table = on ? "table:gauss:12" : tables[term->number];
+    variation->params.sky = table + (asks_table(variation) ? 0 : strlen("table:"));
+}
+
+static TermState direct_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    (void)params;
+    return state_of(has_air(renderer), !renderer->sky.choice.table);
+}
+
+static void direct_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    variation->params.sky = on ? "gauss:8" : "table:gauss:8";
+}
+
+static bool light_is(const Renderer *renderer, const char *name) {
+    return strcmp(renderer->light.method->name, name) == 0;
+}
+
+static TermState control_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    return state_of(renderer->sky.choice.table && params->scene->bound_count, light_is(renderer, "control"));
+}
+
+static void control_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    variation->params.light = on ? "control" : "cosine";
+}
+
+static TermState sampling_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    (void)params;
+    return state_of(true, light_is(renderer, "mis"));
+}
+
+static void sampling_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    variation->params.light = on ? "mis" : "cosine";
+}
+
+static TermState sequence_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    (void)params;
+    return state_of(true, strcmp(renderer->sequence.method->name, "random") != 0);
+}
+
+static void sequence_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    variation->params.sequence = on ? "sobol" : "random";
+}
+
+static TermState emitters_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    (void)renderer;
+    return state_of(params->scene->emitter_count, true);
+}
+
+static void emitters_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    (void)on;
+    variation->scene.emitter_count = 0;
+}
+
+/* A checkbox of the scene's own. */
+static TermState checkbox_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)renderer;
+    return state_of(true, params->scene->parameters[term->number].value[0] > 0);
+}
+
+static void checkbox_turn(const Term *term, Variation *variation, bool on) {
+    variation->scene.parameters[term->number].value[0] = on;
+}
+
+static const Term terms[] = {
+    {"Rayleigh scattering", false, rayleigh_state, rayleigh_turn, 0},
+    {"Mie scattering", false, mie_state, mie_turn, 0},
+    {"ozone", false, ozone_state, ozone_turn, 0},
+    {"the planet's curvature", false, curvature_state, curvature_turn, 0},
+    {"the sun's disk", false, disk_state, disk_turn, 0},
+    {"sunlight off mirror spheres", false, caustic_state, caustic_turn, 0},
+    {"hits beyond the first", false, hits_state, hits_turn, 1},
+    {"hits beyond the second", false, hits_state, hits_turn, 2},
+    {"hits beyond the fourth", false, hits_state, hits_turn, 4},
+    {"hits beyond the eighth", false, hits_state, hits_turn, 8},
+    {"more than 4 nodes of gauss", false, nodes_state, nodes_turn, 4},
+    {"more than 6 nodes", false, nodes_state, nodes_turn, 6},
+    {"more than 8 nodes", false, nodes_state, nodes_turn, 8},
+    {"the sky without a table", false, direct_state, direct_turn, 0},
+    {"control variate, toward bounds", true, control_state, control_turn, 0},
+    {"sky light sampling (mis)", true, sampling_state, sampling_turn, 0},
+    {"looking for emitters", true, emitters_state, emitters_turn, 0},
+    {"low-discrepancy sequence", true, sequence_state, sequence_turn, 0},
+};
+enum { TERMS = sizeof terms / sizeof *terms };
+
+Term *term_list(const RenderParams *params, int *count) {
+    const Scene *scene = params->scene;
+    Term *list = memory_get(TERMS + (size_t)scene->parameter_count, sizeof *list);
+    memcpy(list, terms, sizeof terms);
+    *count = TERMS;
+    for (int i = 0; i < scene->parameter_count; i++) {
+        const Parameter *parameter = &scene->parameters[i];
+        if (parameter->type != PARAMETER_CHECKBOX) continue;
+        Term *term = &list[(*count)++];
+        *term = (Term){.state = checkbox_state, .turn = checkbox_turn, .number = i};
+        snprintf(term->name, sizeof term->name, "%.40s (the scene's)", parameter->name);
+    }
+    return list;
+}

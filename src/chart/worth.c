@@ -1,0 +1,175 @@
+#include "chart/worth.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FIRST_SEED = 1, ROUNDS = 5 };
+static const double timing_seconds = 0.5;
+static const double trimmed_share = 0.001; /* of the pixels, where the sun itself is in the picture */
+
+static bool render(Renderer *renderer, const Scene *scene, unsigned seed, unsigned samples,
+                   bool (*stop)(void), Image *image, Error *error) {
+    Film *film = &renderer->film;
+    FilmCount count;
+    renderer->seed = seed;
+    film_reset(film);
+    if (!renderer_use(renderer, scene, error)) return false;
+    while (film->samples < samples && !(stop && stop())) {
+        if (!renderer_pass(renderer, samples - film->samples, stop, error)) return false;
+    }
+    return film_read(film, image, &count, error);
+}
+
+static bool render_both(Renderer *renderer, const Scene *scene, unsigned samples, bool (*stop)(void),
+                        Image pictures[2], Error *error) {
+    return render(renderer, scene, FIRST_SEED, samples, stop, &pictures[0], error) &&
+           render(renderer, scene, FIRST_SEED + 1, samples, stop, &pictures[1], error);
+}
+
+bool worth_begin(WorthBase *base, const Context *context, const RenderParams *params, unsigned samples,
+                 bool (*stop)(void), Error *error) {
+    *base = (WorthBase){.params = params, .context = context, .samples = samples};
+    if (!renderer_create(&base->renderer, context, params, error)) return false;
+    if (stopwatch_start(&base->stopwatch, &base->renderer, error) &&
+        render_both(&base->renderer, params->scene, samples, stop, base->pictures, error))
+        return true;
+    worth_end(base);
+    return false;
+}
+
+void worth_end(WorthBase *base) {
+    renderer_destroy(&base->renderer);
+    image_free(&base->pictures[0]);
+    image_free(&base->pictures[1]);
+    *base = (WorthBase){0};
+}
+
+/* A pixel's value, and what it is sorted by. */
+typedef struct Sorted {
+    double size, value;
+} Sorted;
+
+static int by_size(const void *left, const void *right) {
+    double a = ((const Sorted *)left)->size, b = ((const Sorted *)right)->size;
+    return (a > b) - (a < b);
+}
+
+/* Puts the trimmed share, the largest, at the end, and gives how many come before. */
+static size_t set_aside(Sorted *pixels, size_t count) {
+    qsort(pixels, count, sizeof *pixels, by_size);
+    size_t aside = (size_t)ceil(trimmed_share * (double)count);
+    return count > aside ? count - aside : 1;
+}
+
+/* The mean of the channels; `trim`: without the brightest pixels, such as the sun. */
+static double mean_of(const Image *image, bool trim) {
+    size_t count = (size_t)image->width * (size_t)image->height;
+    Sorted *pixels = memory_get(count, sizeof *pixels);
+    double sum = 0;
+    for (size_t i = 0; i < 4 * count; i++) {
+        if (i % 4 < 3) pixels[i / 4].size += (double)image->rgba[i] / 3;
+    }
+    size_t left = trim ? set_aside(pixels, count) : count;
+    for (size_t i = 0; i < left; i++) sum += pixels[i].size;
+    free(pixels);
+    return sum / (double)left;
+}
+
+/* The differences by two seeds have the same mean and independent noise: of their product only the square of
+ * that mean is left. `trim` leaves out the pixels that differ most: a sun in the picture, rare bright paths.
+ */
+static void measure_change(const Image base[2], const Image other[2], bool trim, Worth *worth) {
+    size_t count = (size_t)base->width * (size_t)base->height;
+    Sorted *products = memory_get(count, sizeof *products);
+    double sum = 0, squares = 0;
+    for (size_t i = 0; i < 4 * count; i++) {
+        if (i % 4 == 3) continue;
+        double a = (double)other[0].rgba[i] - (double)base[0].rgba[i];
+        double b = (double)other[1].rgba[i] - (double)base[1].rgba[i];
+        products[i / 4].size += a * a + b * b;
+        products[i / 4].value += a * b / 3;
+    }
+    size_t left = trim ? set_aside(products, count) : count;
+    for (size_t i = 0; i < left; i++) {
+        sum += products[i].value;
+        squares += products[i].value * products[i].value;
+    }
+    double mean = sum / (double)left, picture = mean_of(&base[0], trim);
+    double deviation = sqrt(fmax(squares / (double)left - mean * mean, 0) / (double)left);
+    worth->change_percent = picture > 0 ? 100 * sqrt(fmax(mean, 0)) / picture : 0;
+    worth->change_known = picture > 0 ? 100 * sqrt(2 * deviation) / picture : 0;
+    free(products);
+}
+
+/* Mean square of the noise in a picture; not below a millionth of its light, which is rounding. */
+static double noise_of(const Image pictures[2]) {
+    size_t pixels = (size_t)pictures->width * (size_t)pictures->height;
+    double squares = 0, least = 1e-6 * mean_of(&pictures[0], false);
+    for (size_t i = 0; i < 4 * pixels; i++) {
+        double difference = i % 4 < 3 ? (double)pictures[0].rgba[i] - (double)pictures[1].rgba[i] : 0;
+        squares += difference * difference / 2;
+    }
+    return fmax(squares / (3 * (double)pixels), least * least);
+}
+
+static bool time_both(WorthBase *base, const Variation *variation, Renderer *renderer, Stopwatch *other,
+                      bool (*stop)(void), Error *error) {
+    if (!renderer_use(&base->renderer, base->params->scene, error) ||
+        !stopwatch_start(&base->stopwatch, &base->renderer, error))
+        return false;
+    for (int i = 0; i < ROUNDS || base->stopwatch.spent + other->spent < timing_seconds; i++) {
+        if (stop && stop()) return true;
+        if (!renderer_use(&base->renderer, base->params->scene, error) ||
+            !stopwatch_group(&base->stopwatch, &base->renderer, error) ||
+            !renderer_use(renderer, &variation->scene, error) || !stopwatch_group(other, renderer, error))
+            return false;
+        if (i >= 1 && other->spent > 3 * timing_seconds) break;
+    }
+    return true;
+}
+
+/* Seconds a sample, each by its own groups. */
+static double sample_seconds(const Stopwatch *stopwatch, const Renderer *renderer) {
+    return stopwatch_seconds(stopwatch, renderer, renderer->group_samples) / renderer->group_samples;
+}
+
+static bool compare(WorthBase *base, const Term *term, const Variation *variation, Renderer *renderer,
+                    bool (*stop)(void), Worth *worth, Error *error) {
+    Stopwatch other;
+    Image pictures[2] = {{0}};
+    bool ok = stopwatch_start(&other, renderer, error) &&
+              render_both(renderer, &variation->scene, base->samples, stop, pictures, error) &&
+              time_both(base, variation, renderer, &other, stop, error);
+    if (ok && !(stop && stop())) {
+        bool on = worth->state == TERM_ON;
+        bool trim = base->renderer.sun.rectangle_count || renderer->sun.rectangle_count;
+        double ratio = sample_seconds(&base->stopwatch, &base->renderer) / sample_seconds(&other, renderer);
+        double noise = noise_of(base->pictures) / noise_of(pictures);
+        worth->cost_percent = 100 * ((on ? ratio : 1 / ratio) - 1);
+        worth->gain = on ? 1 / (noise * ratio) : noise * ratio;
+        if (!term->same_picture) measure_change(base->pictures, pictures, trim, worth);
+    }
+    image_free(&pictures[0]);
+    image_free(&pictures[1]);
+    return ok;
+}
+
+bool worth_of(WorthBase *base, const Term *term, bool (*stop)(void), Worth *worth, Error *error) {
+    *worth = (Worth){.state = term->state(term, base->params, &base->renderer)};
+    if (worth->state == TERM_NONE) return true;
+    Variation *variation = variation_create(base->params);
+    Renderer renderer;
+    /* The others as they are: what auto chooses may depend on the one that is turned. */
+    if (base->renderer.sky.choice.method->integrates) variation->params.sky = base->renderer.sky.choice.text;
+    variation->params.light = base->renderer.light.text;
+    variation->params.sequence = base->renderer.sequence.text;
+    term->turn(term, variation, worth->state == TERM_OFF);
+    bool ok = renderer_create(&renderer, base->context, &variation->params, error);
+    if (ok) {
+        ok = compare(base, term, variation, &renderer, stop, worth, error);
+        renderer_destroy(&renderer);
+    }
+    free(variation);
+    return ok;
+}

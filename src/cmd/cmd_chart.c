@@ -1,0 +1,136 @@
+#include "chart/chart.h"
+#include "chart/identity.h"
+
+#include "base/file.h"
+#include "base/version.h"
+#include "cmd/cmd.h"
+#include "cmd/gauge.h"
+#include "cmd/interrupt.h"
+#include "cmd/setup.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { DEFAULT_SIDE = 256 };
+static const double default_seconds = 150, default_percent = 1;
+
+/* Each chart's part of the time. */
+static const struct {
+    const char *name;
+    bool (*make)(const ChartParams *params, Error *error);
+    double share;
+} charts[] = {{"paths", chart_paths, 0.6}, {"sky", chart_sky, 0.1}, {"scale", chart_scale, 0.3}};
+enum { CHARTS = sizeof charts / sizeof *charts };
+
+typedef struct Job {
+    const Options *options;
+    char *library;
+    Scene scene;
+    Context context;
+    bool wanted[CHARTS];
+    Text identity, said;
+    Gauge gauge;
+} Job;
+
+/* "paths,sky" */
+static bool choose_charts(const char *list, bool wanted[CHARTS], Error *error) {
+    if (!list) memset(wanted, true, CHARTS * sizeof *wanted);
+    while (list) {
+        size_t length = strcspn(list, ",");
+        int at = 0;
+        while (at < CHARTS && (strlen(charts[at].name) != length || strncmp(charts[at].name, list, length)))
+            at++;
+        if (at == CHARTS)
+            return error_set(error, STATUS_USAGE, "--charts: unknown '%.*s' (known: paths, sky, scale)",
+                             (int)length, list);
+        wanted[at] = true;
+        list = list[length] ? list + length + 1 : NULL;
+    }
+    return true;
+}
+
+static bool make_folder(const char *folder, Error *error) {
+    struct stat status;
+    if (mkdir(folder, 0777) != 0 && errno != EEXIST)
+        return error_set(error, STATUS_OUTPUT, "%s: cannot be made: %s", folder, strerror(errno));
+    if (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode))
+        return error_set(error, STATUS_OUTPUT, "%s: is no folder", folder);
+    return true;
+}
+
+static bool prepare(Job *job, Error *error) {
+    const Options *options = job->options;
+    if (options->output_count != 1) return error_set(error, STATUS_USAGE, "where to? (-o DIR, one folder)");
+    return choose_charts(options->charts, job->wanted, error) &&
+           setup_library(options, &job->library, error) && setup_scene(options, &job->scene, error) &&
+           (!options->width || scene_check_size(options->width, options->height, error)) &&
+           make_folder(options->outputs[0], error) && context_open(&job->context, options->backend, error);
+}
+
+static bool make_charts(Job *job, Error *error) {
+    const Options *options = job->options;
+    double seconds = options->seconds > 0 ? options->seconds : default_seconds, whole = 0, done = 0;
+    double percent = options->error_percent > 0 ? options->error_percent : default_percent;
+    ChartParams params = {.context = &job->context,
+                          .picture = {.scene = &job->scene,
+                                      .library = job->library,
+                                      .sun_disk = options->sun_disk,
+                                      .width = options->width ? options->width : DEFAULT_SIDE,
+                                      .height = options->height ? options->height : DEFAULT_SIDE,
+                                      .max_hits = options->depth,
+                                      .error_percent = percent},
+                          .folder = options->outputs[0],
+                          .identity = text_string(&job->identity),
+                          .error_percent = percent,
+                          .said = &job->said};
+    Watch all = {interrupt_requested, gauge_report, &job->gauge, 0, 1};
+    for (int i = 0; i < CHARTS; i++) whole += job->wanted[i] ? charts[i].share : 0;
+    for (int i = 0; i < CHARTS && !interrupt_requested(); i++) {
+        if (!job->wanted[i]) continue;
+        double share = charts[i].share / whole;
+        params.watch = watch_part(&all, done, done + share);
+        params.seconds = share * seconds;
+        if (!charts[i].make(&params, error)) return false;
+        done += share;
+    }
+    return true;
+}
+
+static void say_results(const Job *job) {
+    const char *folder = job->options->outputs[0];
+    if (!job->options->quiet) fputs(text_string(&job->said), stdout);
+    if (interrupt_requested()) {
+        fprintf(stderr, "magichour: interrupted: what was measured is in %s, the same command goes on\n",
+                folder);
+        return;
+    }
+    for (int i = 0; i < CHARTS && !job->options->quiet; i++) {
+        if (job->wanted[i])
+            printf("%s/%s.csv, %s/%s.svg, %s/%s.png\n", folder, charts[i].name, folder, charts[i].name,
+                   folder, charts[i].name);
+    }
+}
+
+Status cmd_chart(const Options *options, Error *error) {
+    Job job = {.options = options};
+    error->status = STATUS_DONE;
+    interrupt_install();
+    bool ok = prepare(&job, error);
+    if (ok) {
+        text_print(&job.identity, "# magichour %s\n", MAGICHOUR_VERSION);
+        identity_of_machine(&job.context, &job.identity);
+        job.gauge = gauge_start(options);
+        ok = make_charts(&job, error);
+        gauge_end(&job.gauge, interrupt_requested());
+        if (ok) say_results(&job);
+    }
+    context_close(&job.context);
+    scene_destroy(&job.scene);
+    free(job.library);
+    text_free(&job.identity);
+    text_free(&job.said);
+    return !ok ? error->status : interrupt_requested() ? STATUS_INTERRUPTED : STATUS_DONE;
+}

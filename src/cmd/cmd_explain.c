@@ -1,0 +1,132 @@
+#include "chart/worth.h"
+#include "cmd/cmd.h"
+#include "cmd/gauge.h"
+#include "cmd/interrupt.h"
+#include "cmd/library_files.h"
+#include "cmd/setup.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DEFAULT_SIDE = 128, SAMPLES = 64 };
+static const double default_percent = 1;
+/* A way to less noise is needed where it is worth so much time; less is within what timing can tell. */
+static const double least_gain = 1.1;
+
+typedef struct Job {
+    const Options *options;
+    char *library;
+    Scene scene;
+    RenderParams params;
+    Context context;
+    WorthBase base;
+    double percent; /* the error asked for */
+    Text table;
+} Job;
+
+static bool prepare(Job *job, Error *error) {
+    const Options *options = job->options;
+    if (!setup_library(options, &job->library, error) || !setup_scene(options, &job->scene, error))
+        return false;
+    if (options->width && !scene_check_size(options->width, options->height, error)) return false;
+    job->percent = options->error_percent > 0 ? options->error_percent : default_percent;
+    job->params = (RenderParams){.scene = &job->scene,
+                                 .library = job->library,
+                                 .sun_disk = options->sun_disk,
+                                 .width = options->width ? options->width : DEFAULT_SIDE,
+                                 .height = options->height ? options->height : DEFAULT_SIDE,
+                                 .max_hits = options->depth,
+                                 .error_percent = job->percent};
+    return context_open(&job->context, options->backend, error) &&
+           worth_begin(&job->base, &job->context, &job->params, SAMPLES, interrupt_requested, error);
+}
+
+static const char *verdict_of(const Job *job, const Term *term, const Worth *worth) {
+    if (worth->state != TERM_ON) return "off here";
+    if (term->same_picture) return worth->gain > least_gain ? "needed" : "not needed";
+    /* What cannot be told from the error asked for is kept. */
+    return fmax(worth->change_percent, worth->change_known) > job->percent ? "needed" : "not needed";
+}
+
+/* "0.31", or "< 0.02" where that is all that can be told. */
+static void print_change(const Term *term, const Worth *worth, char *out, size_t size) {
+    if (worth->state == TERM_NONE) {
+        snprintf(out, size, "-");
+    } else if (term->same_picture) {
+        snprintf(out, size, "%.2f x", worth->gain);
+    } else if (worth->change_percent < worth->change_known) {
+        snprintf(out, size, "< %.2g", fmax(worth->change_known, 0.001));
+    } else {
+        snprintf(out, size, "%.3g", worth->change_percent);
+    }
+}
+
+static void print_row(Job *job, const Term *term, const Worth *worth) {
+    char change[32], cost[32] = "-";
+    print_change(term, worth, change, sizeof change);
+    if (worth->state != TERM_NONE) snprintf(cost, sizeof cost, "%+.0f", worth->cost_percent);
+    text_print(&job->table, "  %-32s %9s %8s   %s\n", term->name, change, cost, verdict_of(job, term, worth));
+}
+
+static void print_heading(Job *job, bool same_picture) {
+    text_print(&job->table, same_picture ? "\n  %-32s %9s %8s   at the same noise\n" : "  %-32s %9s %8s\n",
+               same_picture ? "ways to the same picture" : "terms of the model",
+               same_picture ? "saves" : "change, %", "cost, %");
+}
+
+static bool explain(Job *job, Gauge *gauge, Error *error) {
+    int count;
+    Term *terms = term_list(&job->params, &count);
+    bool ok = true;
+    int done = 0;
+    for (int part = 0; part < 2; part++) {
+        print_heading(job, part == 1);
+        for (int i = 0; ok && i < count && !interrupt_requested(); i++) {
+            Worth worth;
+            if (terms[i].same_picture != (part == 1)) continue;
+            gauge_report(gauge, (double)done++ / count, terms[i].name);
+            ok = worth_of(&job->base, &terms[i], interrupt_requested, &worth, error);
+            if (ok && !interrupt_requested()) print_row(job, &terms[i], &worth);
+        }
+    }
+    free(terms);
+    return ok;
+}
+
+static void print_compiled(Job *job) {
+    text_print(&job->table, "\ncompiled: %s, and of the library\n", job->scene.path);
+    library_files_print(job->library, text_string(&job->base.renderer.source_files), &job->table);
+}
+
+static void print_results(const Job *job) {
+    const Scene *scene = &job->scene;
+    const Renderer *renderer = &job->base.renderer;
+    printf("%s, %dx%d, sun at %g, at an error of %g %%: sky %s, sun's disk %s, light %s, sequence %s\n\n%s",
+           scene->title[0] ? scene->title : scene->path, renderer->film.width, renderer->film.height,
+           scene->sun_elevation_deg, job->percent, renderer->sky.choice.text, renderer->sun_disk.text,
+           renderer->light.text, renderer->sequence.text, text_string(&job->table));
+}
+
+Status cmd_explain(const Options *options, Error *error) {
+    Job job = {.options = options};
+    error->status = STATUS_DONE;
+    interrupt_install();
+    bool ok = prepare(&job, error);
+    if (ok) {
+        Gauge gauge = gauge_start(options);
+        ok = explain(&job, &gauge, error);
+        gauge_end(&gauge, interrupt_requested());
+        if (ok) {
+            print_compiled(&job);
+            print_results(&job);
+        }
+        worth_end(&job.base);
+    }
+    context_close(&job.context);
+    scene_destroy(&job.scene);
+    free(job.library);
+    text_free(&job.table);
+    return !ok ? error->status : interrupt_requested() ? STATUS_INTERRUPTED : STATUS_DONE;
+}

@@ -1,0 +1,46 @@
+#include "cmd/gauge.h"
+
+#include "base/clock.h"
+#include "cmd/progress.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { BAR = 24 };
+
+Gauge gauge_start(const Options *options) {
+    ProgressKind kind = progress_start(options).kind;
+    return (Gauge){
+        .json = kind == PROGRESS_JSON, .bar = kind == PROGRESS_TTY, .start = clock_seconds(), .last = -1};
+}
+
+void gauge_report(void *state, double share, const char *words) {
+    Gauge *gauge = state;
+    double now = clock_seconds(), seconds = now - gauge->start;
+    if (now - gauge->last < 0.1) return;
+    gauge->last = now;
+    if (gauge->json) {
+        fprintf(stderr, "{\"done\": false, \"share\": %.4f, \"seconds\": %.2f, \"at\": \"%s\"}\n", share,
+                seconds, words);
+    }
+    if (gauge->bar) {
+        char line[160];
+        int filled = (int)lround(BAR * share);
+        snprintf(line, sizeof line, "[%.*s%.*s] %3.0f %%, %.0f s, %s", filled, "########################",
+                 BAR - filled, "                        ", 100 * share, seconds, words);
+        /* Cut to the window, or the line would wrap and scroll at each report. */
+        fprintf(stderr, "\r%.*s\033[K", progress_columns() - 1, line);
+        gauge->line = true;
+    }
+    fflush(stderr);
+}
+
+void gauge_end(Gauge *gauge, bool interrupted) {
+    if (gauge->line) fputs("\r\033[K", stderr);
+    if (gauge->json) {
+        fprintf(stderr, "{\"done\": true, \"seconds\": %.2f, \"interrupted\": %s}\n",
+                clock_seconds() - gauge->start, interrupted ? "true" : "false");
+    }
+    gauge->line = false;
+}
