@@ -8,22 +8,10 @@
 #include "gl/film.h"
 #include "render/camera.h"
 #include "render/irradiance.h"
+#include "render/plan.h"
 #include "render/sky_sampler.h"
 #include "render/spheres.h"
 #include "render/sun.h"
-
-typedef struct RenderParams {
-    const Scene *scene;
-    const char *library;                /* folder of the GLSL library */
-    const char *sky, *light, *sequence; /* NULL for the default; the scene's own sky comes before it */
-    const char *sun_disk;               /* NULL for what the scene says */
-    int width, height;                  /* 0 for the scene's */
-    unsigned seed;
-    int max_hits;         /* 0 is unlimited */
-    uint64_t samples;     /* that will be taken a pixel, for auto's choice; 0 is as many as the error takes */
-    double error_percent; /* asked for; 0 for auto's own idea of it (render/auto.h) */
-    bool variance;        /* whether the film is to know its error (film_read_variance) */
-} RenderParams;
 
 typedef struct Renderer {
     const GlApi *gl;

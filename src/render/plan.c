@@ -1,0 +1,178 @@
+#include "render/plan.h"
+
+#include "base/text.h"
+#include "render/auto.h"
+#include "render/inputs.h"
+#include "render/sky.h"
+#include "render/spheres.h"
+#include "render/sun.h"
+
+#include <string.h>
+
+enum {
+    MOST_GROUP_SAMPLES = 16,
+    /* llvmpipe ends all loops of a shader after this many iterations together, without an error. */
+    LOOP_LIMIT = 65535,
+    /* "Unlimited" for the loop's sake: Russian roulette lets a path come so far with a probability below
+       1e-22. */
+    UNLIMITED_HITS = 1000,
+    /* Of one march() and one hit_spheres(): some 20 are usual, the most are MARCH_STEPS
+       (glsl/shape/march.glsl) and SPHERES_STEPS (glsl/shape/spheres.glsl). What goes beyond all loops
+       together is noticed (glsl/pass/search.glsl) and counted. */
+    MARCH_ITERATIONS = 200,
+    SPHERES_ITERATIONS = 200
+};
+
+bool plan_controls(const Plan *plan) {
+    return strcmp(plan->light.method->name, "control") == 0;
+}
+
+bool plan_samples_sky(const Plan *plan) {
+    return strcmp(plan->light.method->name, "mis") == 0;
+}
+
+/* Loop iterations at one hit, with those of its rays' searches, and the bounds, mirror spheres and emitters
+ * that it looks for. */
+static long hit_iterations(const Plan *plan, const Scene *scene) {
+    bool sun = strcmp(plan->sun.method->name, "sampled") == 0;
+    long emitters = plan->needs.emits ? scene->emitter_count : 0;
+    long rays = 1 + (sun ? 1 : 0) + (sun && scene->mirror_count ? 2 : 0) + (emitters ? 1 : 0);
+    long bounds = plan_controls(plan) ? (emitters ? 3L : 2L) * scene->bound_count : 0;
+    long mirrors = sun && scene->mirror_count ? 6 + 5L * scene->mirror_count : 0;
+    return 1 + rays * plan->needs.search_iterations + bounds + mirrors + 3 * emitters;
+}
+
+/* Where much is looked for at a hit, "unlimited" is as many hits as the loops allow. */
+static bool choose_group(Plan *plan, const RenderParams *params, Error *error) {
+    const MethodChoice *sky = &plan->sky;
+    long hit = hit_iterations(plan, params->scene);
+    long others = 1 + (sky->table ? 0 : sky->iterations) * (plan_controls(plan) ? 2 : 1);
+    long most = (LOOP_LIMIT - others) / hit - 1;
+    if (!params->max_hits && hit > 1 && most > 16 && most < plan->max_hits)
+        plan->max_hits = (int)most;
+    long iterations = others + (plan->max_hits + 1L) * hit;
+    if (iterations > LOOP_LIMIT || sky->iterations > LOOP_LIMIT) {
+        return error_set(error, STATUS_USAGE,
+                         "--sky %s with --light %s and %d surface hits needs %ld loop iterations a sample; "
+                         "the limit is %d",
+                         sky->text, plan->light.text, plan->max_hits,
+                         iterations > LOOP_LIMIT ? iterations : sky->iterations, LOOP_LIMIT);
+    }
+    plan->group_samples = MOST_GROUP_SAMPLES;
+    while (plan->group_samples * iterations > LOOP_LIMIT) plan->group_samples /= 2;
+    return true;
+}
+
+bool plan_choose_methods(Plan *plan, const RenderParams *params, Error *error) {
+    const Scene *scene = params->scene;
+    const char *sky = params->sky ? params->sky : scene->sky[0] ? scene->sky : NULL;
+    AutoWish wish = {.error_percent = params->error_percent,
+                     .samples = (double)params->samples,
+                     .pixels = (double)plan_width(params) * plan_height(params),
+                     .sun_elevation_deg = scene->sun_elevation_deg,
+                     .atmosphere = &scene->atmosphere,
+                     .bounds = scene->bound_count > 0};
+    if (!auto_sky(&plan->sky, sky, &wish, error)) {
+        if (params->sky) return false;
+        error->status = STATUS_SCENE;
+        return error_prefix(error, "%s:%d: ", scene->path, scene->sky_line);
+    }
+    return auto_light(&plan->light, params->light, &plan->sky, &wish, error) &&
+           method_choose(&plan->sequence, METHOD_SEQUENCE, params->sequence, error) &&
+           sun_choose(&plan->sun, params->sun_disk, scene, error);
+}
+
+int plan_width(const RenderParams *params) {
+    return params->width ? params->width : params->scene->width;
+}
+
+int plan_height(const RenderParams *params) {
+    return params->height ? params->height : params->scene->height;
+}
+
+/* `calls` of hit_spheres(). */
+static bool check_spheres(const Scene *scene, const GlslSource *source, int calls, Error *error) {
+    if (calls && !scene->spheres[0]) {
+        return error_set(error, STATUS_SCENE,
+                         "%s:1: hit_spheres() needs `//@ spheres COUNT` or `//@ spheres FILE.csv`",
+                         scene->path);
+    }
+    if (scene->spheres[0] && scene_sphere_count(scene) >= 0 && !glsl_source_defines(source, "scene_sphere")) {
+        return error_set(error, STATUS_SCENE, "%s:%d: missing function: vec4 scene_sphere(int i)",
+                         scene->path, scene->spheres_line);
+    }
+    return true;
+}
+
+static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *error) {
+    static const char *const functions[] = {"scene_intersect", "scene_material"};
+    static const char *const signatures[] = {"void scene_intersect(Ray ray, INOUT(Hit) hit)",
+                                             "Material scene_material(Hit hit)"};
+    const char *path = params->scene->path;
+    GlslSource source;
+    bool ok = true;
+    if (!glsl_source_create(&source, params->library, path, NULL, error)) return false;
+    for (int i = 0; ok && i < 2; i++) {
+        if (glsl_source_defines(&source, functions[i])) continue;
+        ok = error_set(error, STATUS_SCENE, "%s:1: missing function: %s", path, signatures[i]);
+    }
+    int marches = glsl_source_calls(&source, "march"), spheres = glsl_source_calls(&source, "hit_spheres");
+    if (ok) ok = check_spheres(params->scene, &source, spheres, error);
+    *needs = (SceneNeeds){.search = glsl_source_includes(&source, "shape/search.glsl"),
+                          .search_iterations =
+                              (long)marches * MARCH_ITERATIONS + (long)spheres * SPHERES_ITERATIONS,
+                          .emits = glsl_source_emits(&source),
+                          .inputs = inputs_wanted(&source)};
+    glsl_source_destroy(&source);
+    return ok;
+}
+
+/* The spheres that a scene names as GLSL, their words as they are: numbers, or the uniforms of sliders. */
+static void write_spheres(Text *text, const char *count_name, const char *function,
+                          const NamedSphere *spheres, int count) {
+    text_print(text, "const int %s = %d;\nvec4 %s(int i) {\n", count_name, count, function);
+    for (int i = 0; i < count; i++) {
+        text_print(text, "    if (i == %d) return vec4(", i);
+        for (int k = 0; k < 4; k++) text_print(text, "%sfloat(%s)", k ? ", " : "", spheres[i].words[k]);
+        text_print(text, ");\n");
+    }
+    text_print(text, "    return vec4(0.0);\n}");
+}
+
+bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, GlslSource *source, Error *error) {
+    const Scene *scene = params->scene;
+    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 11] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
+    SkySlotText text;
+    Text bounds = {0}, mirrors = {0}, emitters = {0}, inputs = {0};
+    const char *emission = !plan->needs.emits          ? "emission/none.glsl"
+                           : scene->emitter_count ? "emission/sampled.glsl"
+                                                  : "emission/chance.glsl";
+    write_spheres(&bounds, "SCENE_BOUNDS", "scene_bound", scene->bounds, scene->bound_count);
+    write_spheres(&mirrors, "MIRROR_SPHERES", "mirror_sphere", scene->mirrors, scene->mirror_count);
+    write_spheres(&emitters, "EMITTER_SPHERES", "emitter_sphere", scene->emitters, scene->emitter_count);
+    sky_slots(&plan->sky, &scene->atmosphere, slots, &text);
+    sun_slots(&plan->sun, scene, image, text_string(&mirrors), slots + SKY_SLOTS);
+    slot[0] = (GlslSlot){"sequence", plan->sequence.method->file, NULL};
+    slot[1] = (GlslSlot){"light", plan->light.method->file, NULL};
+    slot[2] = (GlslSlot){"scene", scene->path, NULL};
+    slot[3] = (GlslSlot){"bounds", NULL, text_string(&bounds)};
+    slot[4] = (GlslSlot){"scatter", params->variance ? "pass/scatter.glsl" : "pass/scatter_none.glsl", NULL};
+    slot[5] = (GlslSlot){"search", plan->needs.search ? "pass/search.glsl" : "pass/search_none.glsl", NULL};
+    slot[6] = (GlslSlot){"spheres", spheres_slot(scene), NULL};
+    slot[7] = (GlslSlot){"emission", emission, NULL};
+    slot[8] = (GlslSlot){"emitter-spheres", NULL, text_string(&emitters)};
+    inputs_declare(plan->needs.inputs, &inputs);
+    slot[9] = (GlslSlot){"inputs", NULL, text_string(&inputs)};
+    bool ok = glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
+    text_free(&bounds);
+    text_free(&mirrors);
+    text_free(&emitters);
+    text_free(&inputs);
+    return ok;
+}
+
+bool plan_make(Plan *plan, const RenderParams *params, Error *error) {
+    *plan = (Plan){.max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS};
+    return read_needs(params, &plan->needs, error) && plan_choose_methods(plan, params, error) &&
+           choose_group(plan, params, error);
+}
