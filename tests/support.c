@@ -107,6 +107,10 @@ static void read_stream(const char *name, char *buffer, size_t size) {
     if (file) fclose(file);
 }
 
+bool support_sanitizer_failed(const char *said) {
+    return strstr(said, "LeakSanitizer has encountered a fatal error") != NULL;
+}
+
 static int run_arguments(const char *environment, const char *format, va_list list) {
     char arguments[4096];
     Text command = {0};
@@ -115,10 +119,13 @@ static int run_arguments(const char *environment, const char *format, va_list li
     text_print(&command, "%s '%s' %s >'%s' 2>'%s' </dev/null", environment,
                program ? program : "build/magichour", arguments, support_path("stdout"),
                support_path("stderr"));
-    int status = system(text_string(&command));
+    int status;
+    do {
+        status = system(text_string(&command));
+        read_stream("stdout", support_out, sizeof support_out);
+        read_stream("stderr", support_err, sizeof support_err);
+    } while (support_sanitizer_failed(support_err));
     text_free(&command);
-    read_stream("stdout", support_out, sizeof support_out);
-    read_stream("stderr", support_err, sizeof support_err);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

@@ -4,6 +4,7 @@
 
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -35,6 +36,11 @@ const char *support_write(const char *name, const char *text);
  * the exit status; what it printed is in support_out and support_err until the next run. */
 int support_run(const char *environment, const char *format, ...) __attribute__((format(printf, 2, 3)));
 extern char support_out[65536], support_err[65536];
+
+/* Whether the leak sanitizer itself broke down ("Tracer caught signal 11"): it looks through threads, and now
+ * and then one of the driver's ends at that moment. Says nothing about the program; support_run() runs it
+ * again. */
+bool support_sanitizer_failed(const char *said);
 
 /* The exit status and the start of standard error, together in one readable failure. */
 void support_expect(int status, const char *error_part, const char *format, ...)

@@ -25,7 +25,10 @@ static void render(const char *body, const char *options) {
     const char *path = support_write("field.glsl", text), *out = support_path("field.exr");
     int status = support_run("", "render '%s' -o '%s' --size 32x32 --sky uniform -v --progress json %s", path,
                              out, options);
-    if (status) fail_msg("exit status %d: %s", status, support_err);
+    if (status) {
+        size_t length = strlen(support_err);
+        fail_msg("exit status %d: ... %s", status, support_err + (length > 600 ? length - 600 : 0));
+    }
 }
 
 static double field(const char *name) {

@@ -157,7 +157,7 @@ static void test_caustic_energy(void **state) {
                  "        vec3 n = plane ? vec3(0, 1, 0) : -0.5 * p;\n"
                  "        float area = plane ? 2.0 * PI * r * 4.0 / pow(1.0 - u, 3.0) : 2.0 * PI * 4.0;\n"
                  "        SphereReflection s = sphere_reflection(p - vec3(0, 0.5, 0), light);\n"
-                 "        Hit from = Hit(length(p), p, n, 0, false);\n"
+                 "        Hit from = Hit(length(p), p, n, 0, 0, false);\n"
                  "        Hit ball = nearest(ray_from(from, -s.direction));\n"
                  "        bool sees = ball.object == 1 && nearest(ray_from(ball, light)).t >= INFINITY;\n"
                  "        sum += sees ? area * s.focus * max(-dot(n, s.direction), 0.0) : 0.0;\n"

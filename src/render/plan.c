@@ -48,8 +48,7 @@ static bool choose_group(Plan *plan, const RenderParams *params, Error *error) {
     long hit = hit_iterations(plan, params->scene);
     long others = 1 + (sky->table ? 0 : sky->iterations) * (plan_controls(plan) ? 2 : 1);
     long most = (LOOP_LIMIT - others) / hit - 1;
-    if (!params->max_hits && hit > 1 && most > 16 && most < plan->max_hits)
-        plan->max_hits = (int)most;
+    if (!params->max_hits && hit > 1 && most > 16 && most < plan->max_hits) plan->max_hits = (int)most;
     long iterations = others + (plan->max_hits + 1L) * hit;
     if (iterations > LOOP_LIMIT || sky->iterations > LOOP_LIMIT) {
         return error_set(error, STATUS_USAGE,
@@ -139,12 +138,13 @@ static void write_spheres(Text *text, const char *count_name, const char *functi
     text_print(text, "    return vec4(0.0);\n}");
 }
 
-bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, GlslSource *source, Error *error) {
+bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, GlslSource *source,
+                  Error *error) {
     const Scene *scene = params->scene;
     GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 11] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
     SkySlotText text;
     Text bounds = {0}, mirrors = {0}, emitters = {0}, inputs = {0};
-    const char *emission = !plan->needs.emits          ? "emission/none.glsl"
+    const char *emission = !plan->needs.emits     ? "emission/none.glsl"
                            : scene->emitter_count ? "emission/sampled.glsl"
                                                   : "emission/chance.glsl";
     write_spheres(&bounds, "SCENE_BOUNDS", "scene_bound", scene->bounds, scene->bound_count);

@@ -1,5 +1,5 @@
-/* What a picture's shader is made of, before anything of OpenGL: what the scene needs, the methods, how many samples a draw may take,
- * and the text of it all. */
+/* What a picture's shader is made of, before anything of OpenGL: what the scene needs, the methods, how many
+ * samples a draw may take, and the text of it all. */
 #pragma once
 
 #include "render/method.h"
@@ -37,15 +37,17 @@ typedef struct Plan {
     unsigned group_samples; /* that the loops of one draw allow */
 } Plan;
 
-/* All of it. STATUS_USAGE for methods or loops beyond their limits, STATUS_SCENE for what is wrong with the scene. */
+/* All of it. STATUS_USAGE for methods or loops beyond their limits, STATUS_SCENE for what is wrong with the
+ * scene. */
 MUST_CHECK bool plan_make(Plan *plan, const RenderParams *params, Error *error);
 
 /* The methods alone, with what auto takes. */
 MUST_CHECK bool plan_choose_methods(Plan *plan, const RenderParams *params, Error *error);
 
-/* The fragment shader as one text: the methods, the scene and what they include. `image`: the program that draws the sun's own image
- * too. */
-MUST_CHECK bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, GlslSource *source, Error *error);
+/* The fragment shader as one text: the methods, the scene and what they include. `image`: the program that
+ * draws the sun's own image too. */
+MUST_CHECK bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, GlslSource *source,
+                             Error *error);
 
 /* What the light method looks up: the irradiance of the open sky; the sky by its brightness. */
 bool plan_controls(const Plan *plan);
