@@ -149,9 +149,9 @@ static void test_reference(void **state) {
     support_open(&context);
     assert_true(scene_read(&scene, "scenes/crater.glsl", &error));
     RenderParams params = {.scene = &scene, .library = "glsl", .width = 24, .height = 24};
-    const Watch watch = {0};
+    const Monitor monitor = {0};
     const char *path = support_path("reference.exr");
-    if (!reference_get(&reference, path, "one", &context, &params, 1, &watch, &error))
+    if (!reference_get(&reference, path, "one", &context, &params, 1, &monitor, &error))
         fail_msg("%s", error.text);
     assert_false(reference.kept);
     assert_true(reference.error_percent > 0 && reference.error_percent < 3);
@@ -160,10 +160,10 @@ static void test_reference(void **state) {
     assert_true(percent == 0); /* less than its own noise is none */
     double noise = reference.error_percent;
     reference_free(&reference);
-    assert_true(reference_get(&reference, path, "one", &context, &params, 1, &watch, &error));
+    assert_true(reference_get(&reference, path, "one", &context, &params, 1, &monitor, &error));
     assert_true(reference.kept && fabs(reference.error_percent / noise - 1) < 1e-4);
     reference_free(&reference);
-    assert_true(reference_get(&reference, path, "two", &context, &params, 0.2, &watch, &error));
+    assert_true(reference_get(&reference, path, "two", &context, &params, 0.2, &monitor, &error));
     assert_false(reference.kept);
     reference_free(&reference);
     scene_destroy(&scene);

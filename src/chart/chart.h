@@ -6,7 +6,7 @@
  */
 #pragma once
 
-#include "chart/watch.h"
+#include "chart/monitor.h"
 #include "render/renderer.h"
 
 typedef struct ChartParams {
@@ -17,11 +17,11 @@ typedef struct ChartParams {
     const char *identity; /* lines that start with #, before those that a chart adds */
     double seconds;       /* to measure in, about; charts that are there already take none */
     double error_percent; /* where auto's choice is marked */
-    Watch watch;
+    Monitor monitor;
     Text *said; /* findings, a line each; what was set aside, too */
 } ChartParams;
 
-/* A chart that the watch stopped has its rows so far in the CSV, and draws nothing. */
+/* A chart that the monitor stopped has its rows so far in the CSV, and draws nothing. */
 MUST_CHECK bool chart_paths(const ChartParams *params, Error *error);
 MUST_CHECK bool chart_sky(const ChartParams *params, Error *error);
 MUST_CHECK bool chart_scale(const ChartParams *params, Error *error);

@@ -132,9 +132,9 @@ static bool get_reference(Paths *paths, Error *error) {
     identity_of_picture(&params->picture, &identity);
     text_print(&identity, "# shader %016" PRIx64, hash);
     char *path = chart_path(params, "reference.exr");
-    Watch watch = watch_part(&params->watch, 0, reference_share);
+    Monitor monitor = monitor_part(&params->monitor, 0, reference_share);
     bool ok = reference_get(&paths->reference, path, text_string(&identity), params->context,
-                            &params->picture, reference_share * params->seconds, &watch, error);
+                            &params->picture, reference_share * params->seconds, &monitor, error);
     free(path);
     text_free(&identity);
     return ok;
@@ -152,9 +152,9 @@ static bool is_doubled(const Paths *paths, int at) {
 
 static bool open_curves(Paths *paths, Error *error) {
     const ChartParams *params = paths->params;
-    for (int i = 0; i < paths->count && !watch_stopped(&params->watch); i++) {
+    for (int i = 0; i < paths->count && !monitor_stopped(&params->monitor); i++) {
         Drawn *drawn = &paths->curves[i];
-        watch_report(&params->watch, reference_share, "compiling");
+        monitor_report(&params->monitor, reference_share, "compiling");
         if (!curve_open(&drawn->curve, &drawn->combination, params->context, &params->picture, &paths->ledger,
                         error))
             return false;
@@ -168,15 +168,15 @@ static bool time_curves(Paths *paths, const CurveLimits *limits, Error *error) {
     const ChartParams *params = paths->params;
     double share = timing_share * params->seconds / paths->count;
     bool timed = true;
-    for (int round = 0; timed && !watch_stopped(&params->watch); round++) {
+    for (int round = 0; timed && !monitor_stopped(&params->monitor); round++) {
         timed = false;
-        for (int i = 0; i < paths->count && !watch_stopped(&params->watch); i++) {
+        for (int i = 0; i < paths->count && !monitor_stopped(&params->monitor); i++) {
             Curve *curve = &paths->curves[i].curve;
             if (!curve->open || (round && curve->spent > share)) continue;
-            watch_report(&params->watch, reference_share + timing_share * fmin(curve->spent / share, 1),
-                         "timing in turns");
+            monitor_report(&params->monitor, reference_share + timing_share * fmin(curve->spent / share, 1),
+                           "timing in turns");
             if (!renderer_use(&curve->renderer, params->picture.scene, error) ||
-                !curve_time(curve, &paths->reference, limits, &params->watch, error))
+                !curve_time(curve, &paths->reference, limits, &params->monitor, error))
                 return false;
             timed = true;
         }
@@ -197,11 +197,12 @@ static bool measure(Paths *paths, Error *error) {
     /* The points of a curve take twice the time of the last. */
     CurveLimits limits = {each * params->seconds / 2, least_over_reference * noise_of(paths)};
     if (!time_curves(paths, &limits, error)) return false;
-    for (int i = 0; i < paths->count && !watch_stopped(&params->watch); i++) {
+    for (int i = 0; i < paths->count && !monitor_stopped(&params->monitor); i++) {
         Curve *curve = &paths->curves[i].curve;
-        Watch watch = watch_part(&params->watch, before + each * i, before + each * (i + 1));
-        if (curve->open && (!renderer_use(&curve->renderer, params->picture.scene, error) ||
-                            !curve_measure(curve, &paths->reference, &limits, &watch, &paths->ledger, error)))
+        Monitor monitor = monitor_part(&params->monitor, before + each * i, before + each * (i + 1));
+        if (curve->open &&
+            (!renderer_use(&curve->renderer, params->picture.scene, error) ||
+             !curve_measure(curve, &paths->reference, &limits, &monitor, &paths->ledger, error)))
             return false;
         curve_close(curve);
     }
@@ -326,12 +327,12 @@ bool chart_paths(const ChartParams *params, Error *error) {
     paths->params = params;
     choose_curves(paths);
     bool ok = open_ledger(paths, error) && get_reference(paths, error);
-    if (ok && !watch_stopped(&params->watch)) {
+    if (ok && !monitor_stopped(&params->monitor)) {
         text_print(params->said, "reference: relRMSE %.3g %% by its two halves%s\n",
                    paths->reference.error_percent, paths->reference.kept ? ", kept from before" : "");
         ok = measure(paths, error);
     }
-    if (ok && !watch_stopped(&params->watch)) ok = draw(paths, error);
+    if (ok && !monitor_stopped(&params->monitor)) ok = draw(paths, error);
     for (int i = 0; i < paths->count; i++) curve_close(&paths->curves[i].curve);
     reference_free(&paths->reference);
     ledger_close(&paths->ledger);

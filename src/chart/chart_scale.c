@@ -102,37 +102,38 @@ static void close_step(Step *step) {
     *step = (Step){0};
 }
 
-static bool time_once(Step *step, const Watch *watch, Error *error) {
+static bool time_once(Step *step, const Monitor *monitor, Error *error) {
     Film *film = &step->renderer.film;
     film_reset(film);
     step->renderer.gl->Finish();
     double start = clock_seconds();
-    while (film->samples < step->samples && !watch_stopped(watch)) {
-        if (!renderer_pass(&step->renderer, step->samples - film->samples, watch->stop, error)) return false;
+    while (film->samples < step->samples && !monitor_stopped(monitor)) {
+        if (!renderer_pass(&step->renderer, step->samples - film->samples, monitor->stop, error))
+            return false;
     }
-    if (!watch_stopped(watch)) step->best = fmin(step->best, clock_seconds() - start);
+    if (!monitor_stopped(monitor)) step->best = fmin(step->best, clock_seconds() - start);
     return true;
 }
 
 /* Short ones several times, so that small pictures are known as well as large ones. */
-static bool time_step(Step *step, const Watch *watch, Error *error) {
+static bool time_step(Step *step, const Monitor *monitor, Error *error) {
     double start = clock_seconds();
     if (!renderer_use(&step->renderer, step->params.scene, error)) return false;
     do {
-        if (!time_once(step, watch, error)) return false;
-    } while (!watch_stopped(watch) && clock_seconds() - start < turn_seconds);
+        if (!time_once(step, monitor, error)) return false;
+    } while (!monitor_stopped(monitor) && clock_seconds() - start < turn_seconds);
     return true;
 }
 
 /* All steps of a sweep in turns, at least twice: the quickest of each. */
-static bool time_sweep(Step *steps, int count, double seconds, const Watch *watch, const char *words,
+static bool time_sweep(Step *steps, int count, double seconds, const Monitor *monitor, const char *words,
                        Error *error) {
     double start = clock_seconds(), spent = 0;
     for (int round = 0; round < 2 || spent < seconds; round++) {
         for (int i = 0; i < count; i++) {
-            watch_report(watch, fmin(spent / seconds, 1), words);
-            if (watch_stopped(watch)) return true;
-            if (!time_step(&steps[i], watch, error)) return false;
+            monitor_report(monitor, fmin(spent / seconds, 1), words);
+            if (monitor_stopped(monitor)) return true;
+            if (!time_step(&steps[i], monitor, error)) return false;
             spent = clock_seconds() - start;
         }
     }
@@ -173,12 +174,12 @@ static bool measure(Scale *scale, What what, Error *error) {
     int count = count_steps(what);
     if (points_of(scale, what, x, y) == count) return true;
     Step *steps = memory_get((size_t)count, sizeof *steps);
-    Watch watch = watch_part(&scale->params->watch, (double)what / WHATS, (what + 1.0) / WHATS);
+    Monitor monitor = monitor_part(&scale->params->monitor, (double)what / WHATS, (what + 1.0) / WHATS);
     bool ok = true;
-    for (int i = 0; ok && i < count && !watch_stopped(&watch); i++)
+    for (int i = 0; ok && i < count && !monitor_stopped(&monitor); i++)
         ok = open_step(scale, &steps[i], what, sweeps[what].steps[i], error);
-    ok = ok && time_sweep(steps, count, scale->params->seconds / WHATS, &watch, sweeps[what].name, error) &&
-         (watch_stopped(&watch) || keep_steps(scale, what, steps, count, error));
+    ok = ok && time_sweep(steps, count, scale->params->seconds / WHATS, &monitor, sweeps[what].name, error) &&
+         (monitor_stopped(&monitor) || keep_steps(scale, what, steps, count, error));
     for (int i = 0; i < count; i++) close_step(&steps[i]);
     free(steps);
     return ok;
@@ -258,9 +259,9 @@ static bool open_ledger(Scale *scale, Error *error) {
 bool chart_scale(const ChartParams *params, Error *error) {
     Scale scale = {.params = params};
     bool ok = open_ledger(&scale, error);
-    for (int what = 0; ok && what < WHATS && !watch_stopped(&params->watch); what++)
+    for (int what = 0; ok && what < WHATS && !monitor_stopped(&params->monitor); what++)
         ok = measure(&scale, (What)what, error);
-    if (ok && !watch_stopped(&params->watch)) ok = draw(&scale, error);
+    if (ok && !monitor_stopped(&params->monitor)) ok = draw(&scale, error);
     char *field = chart_path(params, "field.glsl");
     unlink(field);
     free(field);

@@ -71,10 +71,10 @@ static void find_truth(SkyJob *job) {
     const SkyState *s = &job->state;
     double elevation = s->sun_elevation_deg * degree, azimuth = s->sun_azimuth_deg * degree;
     double sun[3] = {cos(elevation) * sin(azimuth), sin(elevation), cos(elevation) * cos(azimuth)};
-    for (int i = 0; i < DIRECTIONS && !watch_stopped(&job->params->watch); i++) {
+    for (int i = 0; i < DIRECTIONS && !monitor_stopped(&job->params->monitor); i++) {
         const float *direction = job->directions + 4 * i;
         double view[3] = {(double)direction[0], (double)direction[1], (double)direction[2]};
-        watch_report(&job->params->watch, 0.2 * i / DIRECTIONS, "the sky by adaptive quadrature");
+        monitor_report(&job->params->monitor, 0.2 * i / DIRECTIONS, "the sky by adaptive quadrature");
         sky_reference(&s->atmosphere, s->atmosphere.observer_height_m, view, sun, job->truth + 3 * i);
     }
 }
@@ -129,10 +129,10 @@ static bool time_methods(SkyJob *job, Open *open, int count, Error *error) {
         timed = false;
         for (int i = 0; i < count; i++) {
             double start = clock_seconds(), seconds;
-            if (watch_stopped(&job->params->watch)) return true;
+            if (monitor_stopped(&job->params->monitor)) return true;
             if (round && open[i].spent > share) continue;
-            watch_report(&job->params->watch, 0.2 + 0.8 * fmin(open[i].spent / share, 1),
-                         "timing skies in turns");
+            monitor_report(&job->params->monitor, 0.2 + 0.8 * fmin(open[i].spent / share, 1),
+                           "timing skies in turns");
             if (!sky_probe_time(&open[i].probe, &job->state, job->directions, TIMED, turn_seconds, &seconds,
                                 error))
                 return false;
@@ -164,7 +164,7 @@ static bool measure(SkyJob *job, Error *error) {
     }
     ok = ok && time_methods(job, open, count, error);
     for (int i = 0; i < count; i++) {
-        if (ok && !watch_stopped(&job->params->watch)) ok = keep(job, &open[i], error);
+        if (ok && !monitor_stopped(&job->params->monitor)) ok = keep(job, &open[i], error);
         sky_probe_destroy(&open[i].probe);
     }
     free(open);
@@ -243,8 +243,8 @@ bool chart_sky(const ChartParams *params, Error *error) {
     choose_directions(job);
     bool ok = open_ledger(job, error);
     if (ok) find_truth(job);
-    ok = ok && (watch_stopped(&params->watch) || measure(job, error));
-    if (ok && !watch_stopped(&params->watch)) ok = draw(job, error);
+    ok = ok && (monitor_stopped(&params->monitor) || measure(job, error));
+    if (ok && !monitor_stopped(&params->monitor)) ok = draw(job, error);
     ledger_close(&job->ledger);
     free(job);
     return ok;

@@ -62,11 +62,11 @@ void curve_close(Curve *curve) {
     curve->open = false;
 }
 
-static bool render(Renderer *renderer, uint64_t samples, const Watch *watch, Error *error) {
+static bool render(Renderer *renderer, uint64_t samples, const Monitor *monitor, Error *error) {
     Film *film = &renderer->film;
     film_reset(film);
-    while (film->samples < samples && !watch_stopped(watch)) {
-        if (!renderer_pass(renderer, samples - film->samples, watch->stop, error)) return false;
+    while (film->samples < samples && !monitor_stopped(monitor)) {
+        if (!renderer_pass(renderer, samples - film->samples, monitor->stop, error)) return false;
     }
     return true;
 }
@@ -81,15 +81,15 @@ static bool judge(const Curve *curve, const Reference *reference, LedgerRow *row
 }
 
 static bool measure_even(Curve *curve, const Reference *reference, const CurveLimits *limits,
-                         const Watch *watch, Ledger *ledger, const char *words, Error *error) {
+                         const Monitor *monitor, Ledger *ledger, const char *words, Error *error) {
     Renderer *renderer = &curve->renderer;
     LedgerRow *row = &curve->row;
     for (uint64_t samples = 1;; samples *= 2) {
         row->numbers[SAMPLES] = (double)samples;
         row->numbers[SECONDS] = stopwatch_seconds(&curve->stopwatch, renderer, samples);
-        watch_report(watch, fmin(row->numbers[SECONDS] / limits->seconds, 1), words);
-        if (!render(renderer, samples, watch, error)) return false;
-        if (watch_stopped(watch)) return true;
+        monitor_report(monitor, fmin(row->numbers[SECONDS] / limits->seconds, 1), words);
+        if (!render(renderer, samples, monitor, error)) return false;
+        if (monitor_stopped(monitor)) return true;
         if (!judge(curve, reference, row, error)) return false;
         row->numbers[LAST] = is_last(row, limits);
         if (!ledger_add(ledger, row, error)) return false;
@@ -97,11 +97,11 @@ static bool measure_even(Curve *curve, const Reference *reference, const CurveLi
     }
 }
 
-static bool time_round(Goals *goals, Adaptive *adaptive, Renderer *renderer, double goal, const Watch *watch,
-                       Error *error) {
+static bool time_round(Goals *goals, Adaptive *adaptive, Renderer *renderer, double goal,
+                       const Monitor *monitor, Error *error) {
     int round = adaptive->rounds;
     double start = clock_seconds();
-    if (!adaptive_round(adaptive, renderer, goal, watch->stop, error)) return false;
+    if (!adaptive_round(adaptive, renderer, goal, monitor->stop, error)) return false;
     double seconds = clock_seconds() - start;
     goals->best[round] = round < goals->round_count ? fmin(goals->best[round], seconds) : seconds;
     if (goals->round_count <= round) goals->round_count = round + 1;
@@ -127,28 +127,28 @@ static bool judge_goal(Curve *curve, const Adaptive *adaptive, const Reference *
 
 /* Rounds until adaptive sampling believes to be at `goal`, or has made `most`. */
 static bool sample_to(Goals *goals, Adaptive *adaptive, Renderer *renderer, double goal, int most,
-                      const Watch *watch, Error *error) {
-    while (!(adaptive_percent(adaptive) <= goal) && adaptive->rounds < most && !watch_stopped(watch)) {
-        if (!time_round(goals, adaptive, renderer, goal, watch, error)) return false;
+                      const Monitor *monitor, Error *error) {
+    while (!(adaptive_percent(adaptive) <= goal) && adaptive->rounds < most && !monitor_stopped(monitor)) {
+        if (!time_round(goals, adaptive, renderer, goal, monitor, error)) return false;
     }
     return true;
 }
 
 /* The first run finds the goals; the others, with `reference` NULL, go as far. */
 static bool run_adaptive(Curve *curve, const Reference *reference, const CurveLimits *limits,
-                         const Watch *watch, Error *error) {
+                         const Monitor *monitor, Error *error) {
     Renderer *renderer = &curve->renderer;
     Goals *goals = &curve->goals;
     film_reset(&renderer->film);
     renderer->gl->Finish();
-    Adaptive adaptive = adaptive_create(renderer, curve->trimmed ? ADAPTIVE_SUN_TRIM : 0);
+    Adaptive adaptive = adaptive_create(renderer, curve->trimmed ? NOISE_SUN_TRIM : 0);
     int most = reference ? CURVE_MOST_ROUNDS : goals->round_count;
     bool ok = true, done = false;
     double goal = first_goal_percent;
-    for (int i = 0; i < MOST_GOALS && ok && !done && !watch_stopped(watch); i++, goal /= 2) {
+    for (int i = 0; i < MOST_GOALS && ok && !done && !monitor_stopped(monitor); i++, goal /= 2) {
         int before = adaptive.rounds;
-        ok = sample_to(goals, &adaptive, renderer, goal, most, watch, error);
-        if (!ok || !reference || watch_stopped(watch) || adaptive.rounds == before) continue;
+        ok = sample_to(goals, &adaptive, renderer, goal, most, monitor, error);
+        if (!ok || !reference || monitor_stopped(monitor) || adaptive.rounds == before) continue;
         ok = judge_goal(curve, &adaptive, reference, error);
         done = is_last(&goals->rows[goals->count - 1], limits);
     }
@@ -156,11 +156,11 @@ static bool run_adaptive(Curve *curve, const Reference *reference, const CurveLi
     return ok;
 }
 
-bool curve_time(Curve *curve, const Reference *reference, const CurveLimits *limits, const Watch *watch,
+bool curve_time(Curve *curve, const Reference *reference, const CurveLimits *limits, const Monitor *monitor,
                 Error *error) {
     double start = clock_seconds();
     bool first = !curve->goals.round_count;
-    bool ok = curve->adaptive ? run_adaptive(curve, first ? reference : NULL, limits, watch, error)
+    bool ok = curve->adaptive ? run_adaptive(curve, first ? reference : NULL, limits, monitor, error)
                               : stopwatch_sizes(&curve->stopwatch, &curve->renderer, error);
     curve->spent += clock_seconds() - start;
     return ok;
@@ -178,13 +178,13 @@ static bool keep_goals(const Curve *curve, Ledger *ledger, Error *error) {
     return true;
 }
 
-bool curve_measure(Curve *curve, const Reference *reference, const CurveLimits *limits, const Watch *watch,
-                   Ledger *ledger, Error *error) {
+bool curve_measure(Curve *curve, const Reference *reference, const CurveLimits *limits,
+                   const Monitor *monitor, Ledger *ledger, Error *error) {
     const LedgerRow *row = &curve->row;
     char words[224];
     snprintf(words, sizeof words, "%s %s %s %s", row->words[0], row->words[1], row->words[2], row->words[3]);
     return curve->adaptive ? keep_goals(curve, ledger, error)
-                           : measure_even(curve, reference, limits, watch, ledger, words, error);
+                           : measure_even(curve, reference, limits, monitor, ledger, words, error);
 }
 
 int curve_points(const Ledger *ledger, const LedgerRow *row, ParetoPoint points[CURVE_MOST_POINTS]) {

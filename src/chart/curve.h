@@ -50,12 +50,12 @@ void curve_close(Curve *curve);
 
 /* Times an open curve once more: to be called in turns with others', once at least. */
 MUST_CHECK bool curve_time(Curve *curve, const Reference *reference, const CurveLimits *limits,
-                           const Watch *watch, Error *error);
+                           const Monitor *monitor, Error *error);
 
-/* Renders and judges the points of an open curve that was timed, into the ledger. Stopped by the watch it
+/* Renders and judges the points of an open curve that was timed, into the ledger. Stopped by the monitor it
  * leaves what it has. */
 MUST_CHECK bool curve_measure(Curve *curve, const Reference *reference, const CurveLimits *limits,
-                              const Watch *watch, Ledger *ledger, Error *error);
+                              const Monitor *monitor, Ledger *ledger, Error *error);
 
 /* A curve's points in the order of their samples, those without an error left out; gives their number. */
 int curve_points(const Ledger *ledger, const LedgerRow *row, ParetoPoint points[CURVE_MOST_POINTS]);

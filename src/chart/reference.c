@@ -30,7 +30,7 @@ typedef struct Part {
 typedef struct Maker {
     const Context *context;
     const RenderParams *params;
-    const Watch *watch;
+    const Monitor *monitor;
     Paths paths;
     double done, whole; /* seconds */
 } Maker;
@@ -51,11 +51,11 @@ static bool render_part(Maker *maker, Part *part, Image *half, Error *error) {
     uint64_t most = part->samples ? part->samples : UINT32_MAX;
     double start = clock_seconds();
     bool ok = true;
-    while (ok && renderer.film.samples < most && !watch_stopped(maker->watch)) {
+    while (ok && renderer.film.samples < most && !monitor_stopped(maker->monitor)) {
         double spent = clock_seconds() - start;
         if (!part->samples && spent >= part->seconds) break;
-        watch_report(maker->watch, fmin((maker->done + spent) / maker->whole, 1), "reference");
-        ok = renderer_pass(&renderer, most - renderer.film.samples, maker->watch->stop, error);
+        monitor_report(maker->monitor, fmin((maker->done + spent) / maker->whole, 1), "reference");
+        ok = renderer_pass(&renderer, most - renderer.film.samples, maker->monitor->stop, error);
     }
     maker->done += clock_seconds() - start;
     part->samples = renderer.film.samples;
@@ -87,7 +87,7 @@ static bool render_half(Maker *maker, unsigned seed, double seconds, Image *half
     exact.seconds = correction_share * seconds;
     if (!render_part(maker, &table, half, error) || !render_part(maker, &exact, half, error)) return false;
     Part same = {.sky = table.sky, .seed = exact.seed, .samples = exact.samples, .weight = -1};
-    return watch_stopped(maker->watch) || render_part(maker, &same, half, error);
+    return monitor_stopped(maker->monitor) || render_part(maker, &same, half, error);
 }
 
 static bool make(Reference *reference, Maker *maker, double seconds, Error *error) {
@@ -96,7 +96,7 @@ static bool make(Reference *reference, Maker *maker, double seconds, Error *erro
     maker->whole = seconds;
     bool ok = render_half(maker, FIRST_SEED, seconds / 2, &reference->image, error) &&
               render_half(maker, FIRST_SEED + 2, seconds / 2, &other, error);
-    if (ok && watch_stopped(maker->watch)) {
+    if (ok && monitor_stopped(maker->monitor)) {
         image_free(&reference->image);
     } else if (ok) {
         ok = compare_images(&reference->image, &other, NULL, NULL, &between, error);
@@ -138,8 +138,8 @@ static bool keep(const Reference *reference, const char *path, const char *ident
 }
 
 bool reference_get(Reference *reference, const char *path, const char *identity, const Context *context,
-                   const RenderParams *params, double seconds, const Watch *watch, Error *error) {
-    Maker maker = {.context = context, .params = params, .watch = watch};
+                   const RenderParams *params, double seconds, const Monitor *monitor, Error *error) {
+    Maker maker = {.context = context, .params = params, .monitor = monitor};
     *reference = (Reference){0};
     if (read_kept(reference, path, identity)) {
         reference->kept = true;

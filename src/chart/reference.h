@@ -6,7 +6,7 @@
  * noise that is left. */
 #pragma once
 
-#include "chart/watch.h"
+#include "chart/monitor.h"
 #include "render/renderer.h"
 
 /* The most exact sky of the shader: what all others, and the table, are judged by. */
@@ -20,11 +20,11 @@ typedef struct Reference {
 } Reference;
 
 /* Reads the picture at `path` if its metadata tell this identity, else makes it in about `seconds` and writes
- * it. `params`: the picture; its methods are chosen here, its seed is not used. Being stopped by the watch is
- * no failure, but leaves no image (`image.rgba` NULL). */
+ * it. `params`: the picture; its methods are chosen here, its seed is not used. Being stopped by the monitor
+ * is no failure, but leaves no image (`image.rgba` NULL). */
 MUST_CHECK bool reference_get(Reference *reference, const char *path, const char *identity,
                               const Context *context, const RenderParams *params, double seconds,
-                              const Watch *watch, Error *error);
+                              const Monitor *monitor, Error *error);
 void reference_free(Reference *reference);
 
 /* relRMSE of a picture in percent, without the part that is the reference's own noise; `trimmed`: without the

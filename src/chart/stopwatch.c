@@ -10,40 +10,40 @@ static int index_of(uint64_t samples) {
     return index;
 }
 
-bool stopwatch_start(Stopwatch *watch, Renderer *renderer, Error *error) {
-    *watch = (Stopwatch){0};
-    for (int i = 0; i < STOPWATCH_SIZES; i++) watch->best[i] = INFINITY;
+bool stopwatch_start(Stopwatch *monitor, Renderer *renderer, Error *error) {
+    *monitor = (Stopwatch){0};
+    for (int i = 0; i < STOPWATCH_SIZES; i++) monitor->best[i] = INFINITY;
     bool ok = renderer_pass(renderer, 1, NULL, error);
     film_reset(&renderer->film);
     renderer->gl->Finish();
     return ok;
 }
 
-static bool time_pass(Stopwatch *watch, Renderer *renderer, unsigned samples, Error *error) {
-    double *best = &watch->best[index_of(samples)];
+static bool time_pass(Stopwatch *monitor, Renderer *renderer, unsigned samples, Error *error) {
+    double *best = &monitor->best[index_of(samples)];
     film_reset(&renderer->film);
     renderer->gl->Finish();
     double start = clock_seconds();
     if (!renderer_pass(renderer, samples, NULL, error)) return false;
     double seconds = clock_seconds() - start;
     *best = fmin(*best, seconds);
-    watch->spent += seconds;
+    monitor->spent += seconds;
     return true;
 }
 
-bool stopwatch_group(Stopwatch *watch, Renderer *renderer, Error *error) {
-    return time_pass(watch, renderer, renderer->group_samples, error);
+bool stopwatch_group(Stopwatch *monitor, Renderer *renderer, Error *error) {
+    return time_pass(monitor, renderer, renderer->group_samples, error);
 }
 
-bool stopwatch_sizes(Stopwatch *watch, Renderer *renderer, Error *error) {
+bool stopwatch_sizes(Stopwatch *monitor, Renderer *renderer, Error *error) {
     for (unsigned samples = 1; samples <= renderer->group_samples; samples *= 2) {
-        if (!time_pass(watch, renderer, samples, error)) return false;
+        if (!time_pass(monitor, renderer, samples, error)) return false;
     }
     return true;
 }
 
-double stopwatch_seconds(const Stopwatch *watch, const Renderer *renderer, uint64_t samples) {
+double stopwatch_seconds(const Stopwatch *monitor, const Renderer *renderer, uint64_t samples) {
     uint64_t group = renderer->group_samples;
-    if (samples <= group) return watch->best[index_of(samples)];
-    return watch->best[index_of(group)] * (double)samples / (double)group;
+    if (samples <= group) return monitor->best[index_of(samples)];
+    return monitor->best[index_of(group)] * (double)samples / (double)group;
 }

@@ -13,13 +13,13 @@ typedef struct Stopwatch {
 } Stopwatch;
 
 /* Renders once and forgets it: the driver compiles at the first draw. */
-MUST_CHECK bool stopwatch_start(Stopwatch *watch, Renderer *renderer, Error *error);
+MUST_CHECK bool stopwatch_start(Stopwatch *monitor, Renderer *renderer, Error *error);
 
 /* Times a pass of whole groups, begun anew. */
-MUST_CHECK bool stopwatch_group(Stopwatch *watch, Renderer *renderer, Error *error);
+MUST_CHECK bool stopwatch_group(Stopwatch *monitor, Renderer *renderer, Error *error);
 
 /* Times each size once. */
-MUST_CHECK bool stopwatch_sizes(Stopwatch *watch, Renderer *renderer, Error *error);
+MUST_CHECK bool stopwatch_sizes(Stopwatch *monitor, Renderer *renderer, Error *error);
 
 /* What `samples` a pixel take, a power of 2: a pass, or as many groups as they are. */
-double stopwatch_seconds(const Stopwatch *watch, const Renderer *renderer, uint64_t samples);
+double stopwatch_seconds(const Stopwatch *monitor, const Renderer *renderer, uint64_t samples);

@@ -7,6 +7,7 @@
 #include "cmd/gauge.h"
 #include "cmd/interrupt.h"
 #include "cmd/setup.h"
+#include "render/auto.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -15,7 +16,7 @@
 #include <sys/stat.h>
 
 enum { DEFAULT_SIDE = 256 };
-static const double default_seconds = 150, default_percent = 1;
+static const double default_seconds = 150;
 
 /* Each chart's part of the time. */
 static const struct {
@@ -73,7 +74,7 @@ static bool prepare(Job *job, Error *error) {
 static bool make_charts(Job *job, Error *error) {
     const Options *options = job->options;
     double seconds = options->seconds > 0 ? options->seconds : default_seconds, whole = 0, done = 0;
-    double percent = options->error_percent > 0 ? options->error_percent : default_percent;
+    double percent = options->error_percent > 0 ? options->error_percent : AUTO_ERROR_PERCENT;
     ChartParams params = {.context = &job->context,
                           .picture = {.scene = &job->scene,
                                       .library = job->library,
@@ -86,12 +87,12 @@ static bool make_charts(Job *job, Error *error) {
                           .identity = text_string(&job->identity),
                           .error_percent = percent,
                           .said = &job->said};
-    Watch all = {interrupt_requested, gauge_report, &job->gauge, 0, 1};
+    Monitor all = {interrupt_requested, gauge_report, &job->gauge, 0, 1};
     for (int i = 0; i < CHARTS; i++) whole += job->wanted[i] ? charts[i].share : 0;
     for (int i = 0; i < CHARTS && !interrupt_requested(); i++) {
         if (!job->wanted[i]) continue;
         double share = charts[i].share / whole;
-        params.watch = watch_part(&all, done, done + share);
+        params.monitor = monitor_part(&all, done, done + share);
         params.seconds = share * seconds;
         if (!charts[i].make(&params, error)) return false;
         done += share;

@@ -4,6 +4,7 @@
 #include "cmd/interrupt.h"
 #include "cmd/library_files.h"
 #include "cmd/setup.h"
+#include "render/auto.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +12,6 @@
 #include <string.h>
 
 enum { DEFAULT_SIDE = 128, SAMPLES = 64 };
-static const double default_percent = 1;
 /* A way to less noise is needed where it is worth so much time; less is within what timing can tell. */
 static const double least_gain = 1.1;
 
@@ -31,7 +31,7 @@ static bool prepare(Job *job, Error *error) {
     if (!setup_library(options, &job->library, error) || !setup_scene(options, &job->scene, error))
         return false;
     if (options->width && !scene_check_size(options->width, options->height, error)) return false;
-    job->percent = options->error_percent > 0 ? options->error_percent : default_percent;
+    job->percent = options->error_percent > 0 ? options->error_percent : AUTO_ERROR_PERCENT;
     job->params = (RenderParams){.scene = &job->scene,
                                  .library = job->library,
                                  .sun_disk = options->sun_disk,

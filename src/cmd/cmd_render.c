@@ -8,6 +8,7 @@
 #include "image/image.h"
 #include "render/adaptive.h"
 #include "render/aov.h"
+#include "render/auto.h"
 #include "render/describe.h"
 #include "render/renderer.h"
 
@@ -16,9 +17,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* relRMSE, unless something else is asked for. */
-static const double default_error_percent = 1;
 
 typedef struct Job {
     const Options *options;
@@ -89,7 +87,7 @@ static bool prepare(Job *job, Error *error) {
 /* The error to stop at; 0 is none. */
 static double wanted_error(const Options *options) {
     if (options->error_percent > 0) return options->error_percent;
-    return options->samples || options->seconds > 0 ? 0 : default_error_percent;
+    return options->samples || options->seconds > 0 ? 0 : AUTO_ERROR_PERCENT;
 }
 
 /* The sky's, as far as it is known. */
@@ -143,8 +141,7 @@ static bool render(Job *job, Error *error) {
     Progress progress = progress_start(options);
     double pixels = (double)job->renderer.film.width * job->renderer.film.height;
     double bias = known_bias(job), start = clock_seconds();
-    job->adaptive =
-        adaptive_create(&job->renderer, job->renderer.sun.rectangle_count ? ADAPTIVE_SUN_TRIM : 0);
+    job->adaptive = adaptive_create(&job->renderer, job->renderer.sun.rectangle_count ? NOISE_SUN_TRIM : 0);
     figures->target_samples = options->samples;
     figures->target_seconds = options->seconds;
     figures->target_error_percent = wanted_error(options);

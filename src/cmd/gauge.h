@@ -11,7 +11,7 @@ typedef struct Gauge {
 
 Gauge gauge_start(const Options *options);
 
-/* A Watch's report: at most ten times a second. */
+/* A Monitor's report: at most ten times a second. */
 void gauge_report(void *gauge, double share, const char *words);
 
 /* Clears the bar; the last JSON line. */

@@ -9,7 +9,8 @@
 
 enum {
     FIRST_SAMPLES = 4,
-    EVEN_SAMPLES = 16, /* up to here all tiles get the same: what fewer tell is too uncertain to choose by */
+    EVEN_SAMPLES =
+        16, /* up to here all tiles get the same and nothing is claimed: what fewer tell is too uncertain */
     MOST_LEVELS = 24,  /* of doublings to look ahead */
     MEASURED_SHARE = 8 /* of evenly spread samples, what comes before this part of them is not measured */
 };
@@ -225,5 +226,6 @@ bool adaptive_pass(Adaptive *adaptive, Renderer *renderer, uint64_t samples, boo
 }
 
 double adaptive_percent(const Adaptive *adaptive) {
-    return noise_percent(&adaptive->noise);
+    /* What a few samples have not met, such as a lamp that is found by chance, would pass for done. */
+    return adaptive->most < EVEN_SAMPLES ? INFINITY : noise_percent(&adaptive->noise);
 }

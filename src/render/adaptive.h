@@ -11,9 +11,6 @@
 #include "render/noise.h"
 #include "render/renderer.h"
 
-/* Where the sun itself is in the picture, errors are judged without so many of the pixels, the worst. */
-#define ADAPTIVE_SUN_TRIM 0.001
-
 typedef struct Adaptive {
     Noise noise;
     bool *chosen; /* a tile */

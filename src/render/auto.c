@@ -7,12 +7,12 @@
 #include <string.h>
 
 /* A picture's noise after n samples is about 10 % / sqrt(n): the crater's and the materials' are. */
-static const double noise_of_one_sample = 10, default_error_percent = 1;
+static const double noise_of_one_sample = 10;
 
 double auto_error_percent(const AutoWish *wish) {
     if (wish->error_percent > 0) return wish->error_percent;
-    return wish->samples > 0 ? fmin(noise_of_one_sample / sqrt(wish->samples), default_error_percent)
-                             : default_error_percent;
+    return wish->samples > 0 ? fmin(noise_of_one_sample / sqrt(wish->samples), AUTO_ERROR_PERCENT)
+                             : AUTO_ERROR_PERCENT;
 }
 
 /* No error is known before some 16 samples. */

@@ -4,6 +4,9 @@
 #include "render/method.h"
 #include "scene/atmosphere.h"
 
+/* relRMSE that is asked for unless the user asks for something else, percent. */
+#define AUTO_ERROR_PERCENT 1.0
+
 /* What is known before the first sample. */
 typedef struct AutoWish {
     double error_percent; /* relRMSE asked for; 0 where samples were: then what so many are likely to reach,

@@ -18,6 +18,9 @@
 
 enum { NOISE_TILE = 16 }; /* pixels a side */
 
+/* Where the sun itself is in the picture, errors are judged without so many of the pixels, the worst. */
+#define NOISE_SUN_TRIM 0.001
+
 typedef struct NoiseTile {
     Rectangle pixels;
     uint64_t samples;  /* a pixel, now */

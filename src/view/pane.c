@@ -7,9 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the pixels, left out of the estimate where the sun itself is in the picture: it would be all of it. */
-static const double sun_trim = 0.001;
-
 enum { COARSEST = 8, MOST_PREVIEW_SAMPLES = 16 };
 
 /* What the renderer is told of the scene: the exposure is none of its business. */
@@ -157,7 +154,8 @@ static bool estimate(Pane *pane, Error *error) {
     Image mean;
     FilmCount count;
     if (!noise->tiles)
-        *noise = noise_create(film->width, film->height, pane->renderer.sun.rectangle_count ? sun_trim : 0);
+        *noise =
+            noise_create(film->width, film->height, pane->renderer.sun.rectangle_count ? NOISE_SUN_TRIM : 0);
     for (int i = 0; i < noise->columns * noise->rows; i++) noise->tiles[i].samples = film->samples;
     if (!(film->samples & (film->samples - 1))) {
         if (!film_read(film, &mean, &count, error)) return false;
