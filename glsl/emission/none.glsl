@@ -1,18 +1,6 @@
 // No material of the scene emits.
-#include "emission/ask.glsl"
+#include "emission/unsought.glsl"
 
 vec3 emission_met(Hit hit, vec3 incoming, float share) {
     return vec3(0.0);
-}
-
-vec3 emission_direction(Hit hit, INOUT(Sequence) sequence) {
-    return hit.normal;
-}
-
-vec3 emission_reflected(Hit hit, Material material, vec3 incoming, vec3 direction, float bounce_pdf) {
-    return vec3(0.0);
-}
-
-float emission_share(Hit hit, Bounce bounce) {
-    return 1.0;
 }

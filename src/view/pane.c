@@ -27,14 +27,10 @@ static bool same_picture(const Pane *pane, const PaneParams *params) {
            pane->width == params->width && pane->height == params->height;
 }
 
-static const char *word(const char *text) {
-    return *text ? text : NULL;
-}
-
 /* The same for every sun: a choice that followed the sun would compile anew as it is dragged. */
 static const char *sky_of(const PaneParams *params) {
     const Atmosphere *a = &params->scene->atmosphere;
-    if (*params->methods->sky || params->scene->sky[0]) return word(params->methods->sky);
+    if (*params->methods->sky || params->scene->sky[0]) return method_name(params->methods->sky);
     return a->observer_height_m > a->top_radius_m - a->planet_radius_m ? "gauss:8" : "table";
 }
 
@@ -42,9 +38,9 @@ static RenderParams render_params(const PaneParams *params, int coarseness) {
     return (RenderParams){.scene = params->scene,
                           .library = params->library,
                           .sky = sky_of(params),
-                          .light = word(params->methods->light),
-                          .sequence = word(params->methods->sequence),
-                          .sun_disk = word(params->methods->sun_disk),
+                          .light = method_name(params->methods->light),
+                          .sequence = method_name(params->methods->sequence),
+                          .sun_disk = method_name(params->methods->sun_disk),
                           .width = (params->width + coarseness - 1) / coarseness,
                           .height = (params->height + coarseness - 1) / coarseness,
                           .seed = params->seed,

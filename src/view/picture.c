@@ -169,18 +169,14 @@ bool picture_reload(Picture *picture, ViewState *state, Error *error) {
     return true;
 }
 
-static const char *word(const char *text) {
-    return *text ? text : NULL;
-}
-
 void picture_watch(Picture *picture, const ViewState *state, Watch *watch) {
     Scene scene = state->scene;
     const MethodNames *methods = &state->methods[0];
     RenderParams params = {.scene = &scene,
                            .library = picture->params->library,
-                           .sky = word(methods->sky),
-                           .light = word(methods->light),
-                           .sequence = word(methods->sequence)};
+                           .sky = method_name(methods->sky),
+                           .light = method_name(methods->light),
+                           .sequence = method_name(methods->sequence)};
     GlslSource source = {0};
     Error error;
     bool toy = is_toy(picture);

@@ -9,6 +9,11 @@ typedef struct MethodNames {
     char sky[48], light[48], sequence[48], sun_disk[48];
 } MethodNames;
 
+/* One of them as the renderer takes it: NULL for auto. */
+static inline const char *method_name(const char *name) {
+    return *name ? name : NULL;
+}
+
 enum { MOST_SIDES = 2 };
 
 /* What is said to the user, until something else is. */
