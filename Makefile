@@ -94,7 +94,7 @@ atlas:
 	$(MAKE) all
 	tools/atlas.sh $(BUILD)/magichour out/atlas scenes/gallery
 
-# Whether --error keeps its word, over 48 pictures: half an hour.
+# Whether --error keeps its word, over 96 pictures: a quarter of an hour.
 honesty: all
 	tools/honesty.sh $(BUILD)/magichour out/honesty
 

@@ -261,6 +261,24 @@ static void test_readme_scene(void **state) {
 }
 
 /* What auto takes, and that it says why: by the error asked for and by the paths that repay a table. */
+/* Light that only chance finds is said to be that, and nothing is said where there is none. */
+static void test_by_chance(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene;
+        bool warned;
+    } cases[] = {{"mirrors", true}, {"materials", true}, {"crater", false}, {"sundial", false}};
+    for (int i = 0; i < 4; i++) {
+        for (int disk = 0; disk < 2; disk++) {
+            support_expect(0, "", "render scenes/%s.glsl --size 16x16 --spp 1 --sun 30 %s -o '%s'",
+                           cases[i].scene, disk ? "--sun-disk" : "--sun-disk=off",
+                           support_path("chance.exr"));
+            bool warned = strstr(support_err, "found by chance") != NULL;
+            assert_true(warned == (disk && cases[i].warned));
+        }
+    }
+}
+
 static void test_auto(void **state) {
     (void)state;
     const char *out = support_path("auto.exr");
@@ -297,6 +315,7 @@ int main(void) {
         cmocka_unit_test(test_progress),
         cmocka_unit_test(test_interrupt),
         cmocka_unit_test(test_auto),
+        cmocka_unit_test(test_by_chance),
         cmocka_unit_test(test_readme_scene),
         cmocka_unit_test(test_compare),
         cmocka_unit_test(test_looking),

@@ -163,6 +163,7 @@ static bool render(Job *job, Error *error) {
     figures->paths =
         job->count.accepted + job->count.rejected; /* fewer than samples x pixels if stopped early */
     figures->rejected = job->count.rejected;
+    figures->sun_by_chance = job->renderer.sun_by_chance;
     figures->search_rays = job->search.rays;
     figures->search_steps = job->search.steps;
     figures->search_broken = job->search.broken;
@@ -184,6 +185,7 @@ static void describe(const Job *job, int argc, char **argv, AttributeList *list)
     attribute_add(list, "magichour.samples", "%.6g", job->figures.samples);
     attribute_add(list, "magichour.samples_range", "%" PRIu64 " to %" PRIu64, job->adaptive.least,
                   job->adaptive.most);
+    if (job->renderer.sun_by_chance) attribute_add(list, "magichour.sun_by_chance", "true");
     if (job->figures.error_percent < INFINITY) {
         attribute_add(list, "magichour.error_percent", "%.4g", job->figures.error_percent);
         attribute_add(list, "magichour.noise_percent", "%.4g", job->figures.noise_percent);
@@ -302,6 +304,13 @@ static void warn(const Job *job) {
                 "magichour: warning: %" PRIu64 " of %" PRIu64 " samples were not finite%s and are left out\n",
                 job->figures.rejected, job->figures.paths,
                 job->search.rays > 0 ? ", or took more loops than the driver allows," : "");
+    }
+    if (job->renderer.sun_by_chance) {
+        fprintf(stderr,
+                "magichour: warning: %s: sunlight that glass throws, or mirrors that no mirror-sphere names, "
+                "is found by chance: "
+                "the estimated error knows nothing of what no sample has met\n",
+                job->scene.path);
     }
     warn_search(job);
 }

@@ -64,6 +64,7 @@ static void report_json(const ProgressFigures *figures) {
     if (figures->done) {
         fprintf(stderr, ", \"rejected\": %" PRIu64 ", \"interrupted\": %s", figures->rejected,
                 figures->interrupted ? "true" : "false");
+        if (figures->sun_by_chance) fprintf(stderr, ", \"sun_by_chance\": true");
         if (figures->search_rays > 0) {
             fprintf(stderr,
                     ", \"search_rays\": %.0f, \"search_steps\": %.0f, \"search_broken\": %.0f, "

@@ -27,6 +27,7 @@ typedef struct ProgressFigures {
     uint64_t rejected;
     double search_rays, search_steps, search_broken, search_cut; /* all 0 where the scene does not search */
     bool done, interrupted;
+    bool sun_by_chance; /* some of its light: the error is without what no sample has met */
 } ProgressFigures;
 
 Progress progress_start(const Options *options);

@@ -117,11 +117,14 @@ static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *err
     }
     int marches = glsl_source_calls(&source, "march"), spheres = glsl_source_calls(&source, "hit_spheres");
     if (ok) ok = check_spheres(params->scene, &source, spheres, error);
-    *needs = (SceneNeeds){.search = glsl_source_includes(&source, "shape/search.glsl"),
-                          .search_iterations =
-                              (long)marches * MARCH_ITERATIONS + (long)spheres * SPHERES_ITERATIONS,
-                          .emits = glsl_source_emits(&source),
-                          .inputs = inputs_wanted(&source)};
+    *needs = (SceneNeeds){
+        .search = glsl_source_includes(&source, "shape/search.glsl"),
+        .search_iterations = (long)marches * MARCH_ITERATIONS + (long)spheres * SPHERES_ITERATIONS,
+        .emits = glsl_source_emits(&source),
+        .throws_light =
+            glsl_source_includes(&source, "material/glass.glsl") ||
+            (glsl_source_includes(&source, "material/mirror.glsl") && !params->scene->mirror_count),
+        .inputs = inputs_wanted(&source)};
     glsl_source_destroy(&source);
     return ok;
 }

@@ -27,7 +27,9 @@ typedef struct SceneNeeds {
     bool search;            /* whether its rays search by loops (glsl/shape/search.glsl) */
     long search_iterations; /* of one ray */
     bool emits;             /* whether one of its materials does */
-    unsigned inputs;        /* render/inputs.h */
+    bool throws_light; /* whether it has glass, or mirrors and no mirror-sphere: what they throw is found by
+                          chance */
+    unsigned inputs;   /* render/inputs.h */
 } SceneNeeds;
 
 typedef struct Plan {

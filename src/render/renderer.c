@@ -113,6 +113,8 @@ static void follow_plan(Renderer *renderer, const Plan *plan) {
     renderer->light = plan->light;
     renderer->sequence = plan->sequence;
     renderer->sun_disk = plan->sun;
+    bool sampled = strcmp(plan->sun.method->name, "sampled") == 0;
+    renderer->sun_by_chance = sampled ? plan->needs.throws_light : strcmp(plan->sun.method->name, "off") != 0;
     renderer->inputs = plan->needs.inputs;
     renderer->max_hits = plan->max_hits;
     renderer->group_samples = renderer->group = plan->group_samples;

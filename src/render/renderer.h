@@ -28,6 +28,7 @@ typedef struct Renderer {
     Spheres spheres;
     MethodChoice light, sequence, sun_disk;
     double sky_bias_percent; /* claimed (render/bias.h); NAN where it is not known */
+    bool sun_by_chance;      /* whether some of the disk's light is found by chance: rare and bright */
     int max_hits;
     unsigned seed;
     unsigned group_samples;   /* per pass; the last pass may take fewer */
