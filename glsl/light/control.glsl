@@ -79,7 +79,9 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     vec3 gathered = vec3(0.0); // at the hits so far
     int sun = SUN_SOUGHT;
     float share = 1.0; // of the light that the next hit emits
-    vec3 known = vec3(0.0);   // the open sky's light on the first level ground
+    // What is looked up about the first level ground is looked up after the loop, once for all neighbours.
+    vec3 known = vec3(0.0);   // the open sky's light on it, over the irradiance
+    vec3 known_normal = vec3(0.0, 1.0, 0.0);
     vec3 control = vec3(0.0); // what the bounce from there takes off, over the sky's radiance behind it
     vec3 control_direction = vec3(0.0, 1.0, 0.0);
     bool controlled = false;
@@ -110,7 +112,8 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             if (lambert) {
                 controlled = true;
                 control_hits = hits;
-                known = throughput * bounce.weight * sky_irradiance_over_pi(hit.normal);
+                known = throughput * bounce.weight;
+                known_normal = hit.normal;
                 bounce = blocker_bounce(bounce, hit.position, hit.normal, choice);
                 control_direction = bounce.direction;
             }
@@ -123,6 +126,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             if (hits == control_hits) control = alive ? throughput : vec3(0.0);
         }
     } while (alive);
+    known *= sky_irradiance_over_pi(known_normal);
     // The bounce from the level ground that escapes at once brings what is known already.
     bool open = escaped && controlled && hits == control_hits;
     vec3 brought = throughput * sky_radiance(ray.direction);

@@ -1,4 +1,4 @@
-// Directions in proportion to the sky's luminance times the sine of elevation. The sky's cells are cut into bins of the same
+// Directions in proportion to the sky's luminance, above the level. The sky's cells are cut into bins of the same
 // probability, in the order of Hilbert's curve over the sky, so that numbers spread evenly make directions spread evenly.
 #include "light/sky_cells.glsl"
 

@@ -34,8 +34,8 @@ void film_begin(Film *film, const Program *program) {
     program_set_uint(program, "film_zero", 0);
 }
 
-void film_keep(Film *film) {
-    target_keep(&film->target);
+void film_keep(Film *film, const Rectangle *regions, int count) {
+    target_keep(&film->target, regions, count);
 }
 
 void film_commit(Film *film, uint64_t samples) {

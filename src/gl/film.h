@@ -54,9 +54,9 @@ void film_reset(Film *film);
  * The program must be in use. Any number of draws may follow, each on rows of its own. */
 void film_begin(Film *film, const Program *program);
 
-/* For a pass over a part of the pixels: the others stay as they are. Before film_begin(), and again whenever
- * the part is another one. */
-void film_keep(Film *film);
+/* Copies these regions from the front to the back, so that passes that leave them out leave them as they are:
+ * for the first such pass all of the picture, and from then on what each drew and the next will not. */
+void film_keep(Film *film, const Rectangle *regions, int count);
 
 /* Ends a pass in which every pixel was drawn once: the back becomes the front. A pass that is begun and not
  * committed never was. */

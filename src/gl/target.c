@@ -75,7 +75,7 @@ void target_begin(const Target *target, const Program *program, const char *cons
     gl->ActiveTexture(GL_TEXTURE0);
 }
 
-void target_keep(Target *target) {
+void target_keep(Target *target, const Rectangle *regions, int count) {
     const GlApi *gl = target->gl;
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer[target->front]);
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target->framebuffer[1 - target->front]);
@@ -85,8 +85,12 @@ void target_keep(Target *target) {
         none_before[i] = GL_COLOR_ATTACHMENT0 + (GLenum)i;
         gl->ReadBuffer(none_before[i]);
         gl->DrawBuffers(i + 1, none_before);
-        gl->BlitFramebuffer(0, 0, target->width, target->height, 0, 0, target->width, target->height,
-                            GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        for (int k = 0; k < count; k++) {
+            const Rectangle *r = &regions[k];
+            int right = r->x + r->width, bottom = r->y + r->height;
+            gl->BlitFramebuffer(r->x, r->y, right, bottom, r->x, r->y, right, bottom, GL_COLOR_BUFFER_BIT,
+                                GL_NEAREST);
+        }
     }
     draw_to_all(target);
 }

@@ -2,6 +2,7 @@
  * change places. */
 #pragma once
 
+#include "base/rectangle.h"
 #include "gl/program.h"
 
 enum { TARGET_TEXTURES = 4 };
@@ -27,8 +28,8 @@ void target_clear(Target *target);
  * units[i]. The program must be in use. */
 void target_begin(const Target *target, const Program *program, const char *const *names, const int *units);
 
-/* Copies the front to the back, for a pass that does not draw all of it. */
-void target_keep(Target *target);
+/* Copies these regions from the front to the back, for passes that do not draw there. */
+void target_keep(Target *target, const Rectangle *regions, int count);
 
 /* The back becomes the front. */
 void target_swap(Target *target);

@@ -26,14 +26,14 @@ static int count_tiles(const Adaptive *adaptive) {
 Adaptive adaptive_create(const Renderer *renderer, double trim) {
     Adaptive adaptive = {.noise = noise_create(renderer->film.width, renderer->film.height, trim),
                          .deadline = INFINITY};
-    adaptive.chosen = memory_get((size_t)count_tiles(&adaptive), sizeof *adaptive.chosen);
+    adaptive.wanted = memory_get((size_t)count_tiles(&adaptive), sizeof *adaptive.wanted);
     adaptive.regions = memory_get((size_t)count_tiles(&adaptive), sizeof *adaptive.regions);
     return adaptive;
 }
 
 void adaptive_destroy(Adaptive *adaptive) {
     noise_destroy(&adaptive->noise);
-    free(adaptive->chosen);
+    free(adaptive->wanted);
     free(adaptive->regions);
     *adaptive = (Adaptive){0};
 }
@@ -63,8 +63,8 @@ static double guarded_error(const Noise *noise, int index) {
     return fmax(tile_error(noise, tile), neighbours_share * around / pixels * tile_pixels(tile));
 }
 
-/* Doublings of the tile that are worth `level` squared error a sample, and what they leave of its error. */
-static int doublings(const Noise *noise, const NoiseTile *tile, double error, double level, double *left) {
+/* Doublings that are worth `level` squared error a sample to a tile of that error. */
+static int doublings(const Noise *noise, const NoiseTile *tile, double error, double level) {
     double cost = tile_pixels(tile) * (double)tile->samples;
     int count = 0;
     while (count < MOST_LEVELS && error * (1 - noise->fall) > level * cost) {
@@ -72,53 +72,54 @@ static int doublings(const Noise *noise, const NoiseTile *tile, double error, do
         cost *= 2;
         count++;
     }
-    *left = error;
     return count;
 }
 
-/* The squared error of the picture once all is done that is worth `level`. */
-static double planned_error(const Noise *noise, const double *errors, double level) {
-    double sum = 0, left;
+/* The squared error of the picture once all is done that is worth `level`. Which tiles double is decided with
+ * `guarded` errors, and what that brings is reckoned with their own, as it will be when it is measured. */
+static double planned_error(const Noise *noise, const double *guarded, double level) {
+    double sum = 0;
     for (int i = 0; i < noise->columns * noise->rows; i++) {
-        doublings(noise, &noise->tiles[i], errors[i], level, &left);
-        sum += left;
+        const NoiseTile *tile = &noise->tiles[i];
+        sum += tile_error(noise, tile) * pow(noise->fall, doublings(noise, tile, guarded[i], level));
     }
     return sum;
 }
 
-/* Chooses the tiles; how many. */
+/* Chooses the tiles that are to double; how many. */
 static int choose(Adaptive *adaptive, double percent) {
     const Noise *noise = &adaptive->noise;
     int count = 0, tiles = count_tiles(adaptive);
     double goal = noise_goal(noise, percent);
-    double *errors = memory_get((size_t)tiles, sizeof *errors), left;
+    double *guarded = memory_get((size_t)tiles, sizeof *guarded);
     double low = 1e-40, high = 1e40; /* of the level */
-    for (int i = 0; i < tiles; i++) errors[i] = guarded_error(noise, i);
+    for (int i = 0; i < tiles; i++) guarded[i] = guarded_error(noise, i);
     for (int i = 0; i < 100; i++) {
         double level = sqrt(low * high);
-        if (planned_error(noise, errors, level) > goal) {
+        if (planned_error(noise, guarded, level) > goal) {
             high = level;
         } else {
             low = level;
         }
     }
     for (int i = 0; i < tiles; i++) {
-        adaptive->chosen[i] = doublings(noise, &noise->tiles[i], errors[i], low, &left) > 0;
-        count += adaptive->chosen[i];
+        bool chosen = doublings(noise, &noise->tiles[i], guarded[i], low) > 0;
+        adaptive->wanted[i] = chosen ? noise->tiles[i].samples : 0;
+        count += chosen;
     }
-    free(errors);
+    free(guarded);
     return count;
 }
 
-/* The chosen tiles with so many samples, runs of neighbours in a row as one. */
-static int make_regions(Adaptive *adaptive, uint64_t samples) {
+/* The tiles that want from `least` to `most` samples, runs of neighbours in a row as one. */
+static int make_regions(Adaptive *adaptive, uint64_t least, uint64_t most) {
     const Noise *noise = &adaptive->noise;
     int count = 0, run = -1;
     for (int i = 0; i < count_tiles(adaptive); i++) {
         const NoiseTile *tile = &noise->tiles[i];
-        bool wanted = adaptive->chosen[i] && tile->samples == samples;
-        if (!wanted || i % noise->columns == 0) run = -1;
-        if (!wanted) continue;
+        bool here = adaptive->wanted[i] >= least && adaptive->wanted[i] <= most;
+        if (!here || i % noise->columns == 0) run = -1;
+        if (!here) continue;
         if (run < 0) {
             run = count++;
             adaptive->regions[run] = tile->pixels;
@@ -129,37 +130,41 @@ static int make_regions(Adaptive *adaptive, uint64_t samples) {
     return count;
 }
 
-static uint64_t next_count(const Adaptive *adaptive, uint64_t above) {
-    uint64_t next = UINT64_MAX;
+/* The fewest samples that any tile still wants; UINT64_MAX where none wants any. */
+static uint64_t fewest_wanted(const Adaptive *adaptive) {
+    uint64_t fewest = UINT64_MAX;
     for (int i = 0; i < count_tiles(adaptive); i++) {
-        uint64_t samples = adaptive->noise.tiles[i].samples;
-        if (adaptive->chosen[i] && samples > above && samples < next) next = samples;
+        if (adaptive->wanted[i] && adaptive->wanted[i] < fewest) fewest = adaptive->wanted[i];
     }
-    return next;
+    return fewest;
 }
 
-/* Writes down that the chosen tiles with `before` samples got so many more, and chooses them no longer. */
-static void count_samples(Adaptive *adaptive, uint64_t before, uint64_t taken) {
+/* Writes down that the tiles that want samples got so many. */
+static void count_samples(Adaptive *adaptive, uint64_t taken) {
     for (int i = 0; i < count_tiles(adaptive); i++) {
         NoiseTile *tile = &adaptive->noise.tiles[i];
-        if (!adaptive->chosen[i] || tile->samples != before) continue;
+        if (!adaptive->wanted[i]) continue;
         tile->samples += taken;
-        adaptive->chosen[i] = false;
+        adaptive->wanted[i] -= taken;
         adaptive->paths += taken * (uint64_t)tile_pixels(tile);
     }
 }
 
-/* Doubles the chosen tiles, those of equal numbers of samples together. */
-static bool double_tiles(Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), bool *stopped,
-                         Error *error) {
-    *stopped = false;
-    for (uint64_t n = next_count(adaptive, 0); n < UINT64_MAX && !*stopped; n = next_count(adaptive, n)) {
-        uint64_t taken;
-        int count = make_regions(adaptive, n);
-        if (!renderer_refine(renderer, adaptive->regions, count, n, adaptive->deadline, stop, &taken, error))
-            return false;
-        count_samples(adaptive, n, taken);
-        *stopped = taken < n;
+/* Doubles the chosen tiles, group by group for all that want one still: one draw of many tiles keeps all
+ * cores at work, where one for each number of samples would not. */
+static bool double_tiles(Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), Error *error) {
+    const Rectangle all = {0, 0, adaptive->noise.width, adaptive->noise.height};
+    uint64_t fewest;
+    film_keep(&renderer->film, &all, 1);
+    while ((fewest = fewest_wanted(adaptive)) < UINT64_MAX && clock_seconds() < adaptive->deadline) {
+        unsigned group = fewest < renderer->group_samples ? (unsigned)fewest : renderer->group_samples;
+        bool stopped;
+        int count = make_regions(adaptive, 1, UINT64_MAX);
+        if (!renderer_refine(renderer, adaptive->regions, count, group, stop, &stopped, error)) return false;
+        if (stopped) break;
+        count = make_regions(adaptive, group, group); /* those have all that they wanted */
+        film_keep(&renderer->film, adaptive->regions, count);
+        count_samples(adaptive, group);
     }
     return true;
 }
@@ -204,12 +209,11 @@ static bool measure(Adaptive *adaptive, const Renderer *renderer, Error *error) 
 
 bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double percent, bool (*stop)(void),
                     Error *error) {
-    bool stopped = false;
     bool even = renderer->film.samples < EVEN_SAMPLES;
     if (even) {
         if (!sample_evenly(adaptive, renderer, stop, error)) return false;
     } else if (choose(adaptive, percent)) {
-        if (!double_tiles(adaptive, renderer, stop, &stopped, error)) return false;
+        if (!double_tiles(adaptive, renderer, stop, error)) return false;
     }
     adaptive->rounds++;
     find_range(adaptive);

@@ -13,7 +13,7 @@
 
 typedef struct Adaptive {
     Noise noise;
-    bool *chosen; /* a tile */
+    uint64_t *wanted; /* samples that each tile is still to get in this round */
     Rectangle *regions;
     double deadline; /* of clock_seconds(), after which no group of samples is begun; INFINITY at first */
     uint64_t paths;  /* over all pixels */

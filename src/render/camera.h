@@ -2,6 +2,7 @@
  * picture. */
 #pragma once
 
+#include "base/rectangle.h"
 #include "gl/program.h"
 #include "scene/scene.h"
 
@@ -10,11 +11,6 @@ typedef struct Camera {
     double eye[3], forward[3], right[3],
         up[3]; /* right and up reach the picture's edges at distance 1 ahead */
 } Camera;
-
-/* Pixels [x, x + width) x [y, y + height); empty where a side is 0. */
-typedef struct Rectangle {
-    int x, y, width, height;
-} Rectangle;
 
 Camera camera_of(const Scene *scene, int width, int height);
 

@@ -71,11 +71,10 @@ static double fallen(const Noise *noise, double levels) {
     return pow(noise->fall, levels);
 }
 
-/* A pixel's variance, up to the factor that all share, so that tiles of different numbers of samples compare.
- */
-static float pixel_error(const Noise *noise, const NoiseTile *tile, size_t pixel) {
-    double levels = log2((double)tile->samples / (double)tile->measured);
-    return noise->change[pixel] * (float)fallen(noise, levels);
+/* What turns the changes of a tile's pixels into their variances, up to a factor that all tiles share, so
+ * that tiles of different numbers of samples compare. */
+static float pixel_scale(const Noise *noise, const NoiseTile *tile) {
+    return (float)fallen(noise, log2((double)tile->samples / (double)tile->measured));
 }
 
 static int by_size(const void *a, const void *b) {
@@ -93,10 +92,11 @@ static void find_worst(Noise *noise) {
     for (int i = 0; i < count_tiles(noise); i++) {
         const NoiseTile *tile = &noise->tiles[i];
         const Rectangle *r = &tile->pixels;
+        float scale = tile->times > 1 ? pixel_scale(noise, tile) : 0;
         for (int k = 0; k < r->width * r->height; k++) {
             size_t pixel =
                 (size_t)(r->y + k / r->width) * (size_t)noise->width + (size_t)(r->x + k % r->width);
-            errors[n++] = tile->times > 1 ? pixel_error(noise, tile, pixel) : 0;
+            errors[n++] = scale * noise->change[pixel];
         }
     }
     qsort(errors, pixels, sizeof *errors, by_size);
@@ -106,10 +106,11 @@ static void find_worst(Noise *noise) {
 
 static double sum_changes(const Noise *noise, const NoiseTile *tile) {
     const Rectangle *r = &tile->pixels;
+    float scale = pixel_scale(noise, tile);
     double sum = 0;
     for (int k = 0; k < r->width * r->height; k++) {
         size_t pixel = (size_t)(r->y + k / r->width) * (size_t)noise->width + (size_t)(r->x + k % r->width);
-        if (pixel_error(noise, tile, pixel) < noise->worst) sum += (double)noise->change[pixel];
+        if (scale * noise->change[pixel] < noise->worst) sum += (double)noise->change[pixel];
     }
     return sum;
 }

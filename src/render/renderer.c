@@ -269,17 +269,10 @@ bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Err
     return true;
 }
 
-bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, uint64_t samples,
-                     double deadline, bool (*stop)(void), uint64_t *taken, Error *error) {
-    *taken = 0;
-    film_keep(&renderer->film);
-    while (*taken < samples && clock_seconds() < deadline) {
-        uint64_t left = samples - *taken;
-        unsigned group = left < renderer->group_samples ? (unsigned)left : renderer->group_samples;
-        if (!draw_group(renderer, regions, count, group, stop)) break;
-        film_commit(&renderer->film, 0);
-        *taken += group;
-    }
+bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, unsigned samples,
+                     bool (*stop)(void), bool *stopped, Error *error) {
+    *stopped = !draw_group(renderer, regions, count, samples, stop);
+    if (!*stopped) film_commit(&renderer->film, 0);
     return gl_check(renderer->gl, "refining regions", error);
 }
 

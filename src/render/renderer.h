@@ -72,11 +72,11 @@ void renderer_set_parameters(const Program *program, const Scene *scene);
  * first. False on failure; being stopped is not one. */
 MUST_CHECK bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error);
 
-/* Adds `samples` to each pixel of these regions, which do not overlap, and none elsewhere; film.samples stays
- * what it is. When `stop` says yes, or clock_seconds() is past `deadline`, after fewer: `taken`, whole
- * groups. */
-MUST_CHECK bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, uint64_t samples,
-                                double deadline, bool (*stop)(void), uint64_t *taken, Error *error);
+/* Adds `samples`, at most group_samples, to each pixel of these regions, which do not overlap, and none
+ * elsewhere; film.samples stays what it is. The film must hold the others (film_keep). When `stop` says yes,
+ * nothing is added. */
+MUST_CHECK bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, unsigned samples,
+                                bool (*stop)(void), bool *stopped, Error *error);
 
 /* Draws on for about `seconds` (at least a row), less if `stop` (may be NULL) says yes: the group that is
  * unfinished, or the next one, of at most `samples`. With its last row it is committed. Other programs and

@@ -1,5 +1,5 @@
-/* Directions drawn from the sky in proportion to its luminance times the sine of elevation, as ground that
- * faces up weighs it: the sky's patches cut into bins of one probability (glsl/pass/sky_sampler.glsl). */
+/* Directions drawn from the sky in proportion to its luminance: the sky's patches cut into bins of one
+ * probability (glsl/pass/sky_sampler.glsl). */
 #pragma once
 
 #include "render/sky_patches.h"
