@@ -189,6 +189,18 @@ static void test_auto(void **state) {
     assert_true(auto_light(&light, "auto", &sky, &wish, &error));
     assert_string_equal(light.text, "cosine");
 
+    /* And by the sun, unless it shines on mirrors alone, or on what throws light. */
+    for (int sun = -5; sun <= 25; sun += 5) {
+        for (int i = 0; i < 8; i++) {
+            wish.sun_elevation_deg = sun;
+            wish.bounds = i & 1, wish.mirrors = i & 2, wish.shiny = i & 4;
+            sky = choose(NULL, 1, sun, &atmosphere);
+            assert_true(auto_light(&light, NULL, &sky, &wish, &error));
+            bool low = sun >= 0 && sun <= 20 && (i & 3) != 3 && !(i & 4);
+            assert_string_equal(light.text, low ? "mis" : i & 1 ? "control" : "cosine");
+        }
+    }
+
     /* What was not measured is not claimed. */
     atmosphere.mie = 3;
     MethodChoice choice = choose(NULL, 10, 30, &atmosphere);

@@ -54,7 +54,7 @@ bool aov_parse(const char *list, unsigned *kinds, Error *error) {
 static bool create_program(Program *program, const Context *context, const RenderParams *params,
                            const Renderer *renderer, Error *error) {
     Text inputs = {0};
-    inputs_declare(renderer->inputs, &inputs);
+    inputs_declare(renderer->needs.inputs, &inputs);
     GlslSlot slots[] = {{"sequence", renderer->sequence.method->file, NULL},
                         {"inputs", NULL, text_string(&inputs)},
                         {"scene", params->scene->path, NULL},

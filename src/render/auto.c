@@ -97,14 +97,27 @@ bool auto_sky(MethodChoice *choice, const char *text, const AutoWish *wish, Erro
     return true;
 }
 
+/* Where mis takes the least time to an error, measured over the scenes with the sun from 60 to -2 degrees: what
+ * stands upright sees the glow of a low sun, and by the cosine alone seldom: a half to a seventh of the time; up to
+ * twice as much on hills, which are ground. Light that glass and metal throw is found by the material's own
+ * bounces, of which mis leaves a half: there it takes twice the time. And where nothing but mirrors stands on
+ * the ground, control is ahead by a quarter. */
+static bool glows(const MethodChoice *sky, const AutoWish *wish) {
+    bool low = wish->sun_elevation_deg >= -1 && wish->sun_elevation_deg <= 20;
+    return low && sky->method->integrates && !wish->shiny && !(wish->bounds && wish->mirrors);
+}
+
 bool auto_light(MethodChoice *choice, const char *text, const MethodChoice *sky, const AutoWish *wish,
                 Error *error) {
     bool automatic = !text || strcmp(text, "auto") == 0;
-    if (automatic && sky->table && wish->bounds) text = "control";
+    bool low = glows(sky, wish);
+    if (automatic && low) text = "mis";
+    if (automatic && !low && sky->table && wish->bounds) text = "control";
     if (!method_choose(choice, METHOD_LIGHT, text, error)) return false;
     if (automatic) {
         snprintf(choice->why, sizeof choice->why, "%s",
-                 !sky->table    ? "control would ask the sky twice a path, and there is no table of it"
+                 low            ? "a low sun glows on what stands upright"
+                 : !sky->table  ? "control would ask the sky twice a path, and there is no table of it"
                  : wish->bounds ? "the sky is a table and the scene has bounds"
                                 : "the scene has no bounds");
     }

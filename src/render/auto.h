@@ -15,7 +15,9 @@ typedef struct AutoWish {
     double pixels;
     double sun_elevation_deg;
     const Atmosphere *atmosphere;
-    bool bounds; /* whether the scene says what may block the sky */
+    bool bounds;  /* whether the scene says what may block the sky ... */
+    bool mirrors; /* ... and all of that is mirror spheres */
+    bool shiny;   /* whether some of its materials are neither matte nor mirrors */
 } AutoWish;
 
 /* The error that the wish comes to, percent. */
@@ -26,7 +28,7 @@ double auto_error_percent(const AutoWish *wish);
  * known, the most accurate. choice->why says which. */
 MUST_CHECK bool auto_sky(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error);
 
-/* The light method for `text` NULL or "auto": control where the sky is a table and the scene has bounds, else
- * cosine. */
+/* The light method for `text` NULL or "auto": mis where a low sun shines on more than ground, control where the sky
+ * is a table and the scene has bounds, else cosine. */
 MUST_CHECK bool auto_light(MethodChoice *choice, const char *text, const MethodChoice *sky,
                            const AutoWish *wish, Error *error);

@@ -62,6 +62,19 @@ static bool choose_group(Plan *plan, const RenderParams *params, Error *error) {
     return true;
 }
 
+/* Whether each of the scene's bounds is one of its mirror spheres too. */
+static bool mirrors_alone_block(const Scene *scene) {
+    int same = 0;
+    for (int i = 0; i < scene->bound_count; i++) {
+        for (int k = 0; k < scene->mirror_count; k++) {
+            if (memcmp(scene->bounds[i].words, scene->mirrors[k].words, sizeof scene->bounds[i].words)) continue;
+            same++;
+            break;
+        }
+    }
+    return same == scene->bound_count;
+}
+
 bool plan_choose_methods(Plan *plan, const RenderParams *params, Error *error) {
     const Scene *scene = params->scene;
     const char *sky = params->sky ? params->sky : scene->sky[0] ? scene->sky : NULL;
@@ -70,7 +83,9 @@ bool plan_choose_methods(Plan *plan, const RenderParams *params, Error *error) {
                      .pixels = (double)plan_width(params) * plan_height(params),
                      .sun_elevation_deg = scene->sun_elevation_deg,
                      .atmosphere = &scene->atmosphere,
-                     .bounds = scene->bound_count > 0};
+                     .bounds = scene->bound_count > 0,
+                     .mirrors = mirrors_alone_block(scene),
+                     .shiny = plan->needs.shiny};
     if (!auto_sky(&plan->sky, sky, &wish, error)) {
         if (params->sky) return false;
         error->status = STATUS_SCENE;
@@ -121,6 +136,9 @@ static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *err
         .search = glsl_source_includes(&source, "shape/search.glsl"),
         .search_iterations = (long)marches * MARCH_ITERATIONS + (long)spheres * SPHERES_ITERATIONS,
         .emits = glsl_source_emits(&source),
+        .shiny = glsl_source_includes(&source, "material/glass.glsl") ||
+                 glsl_source_includes(&source, "material/rough_metal.glsl") ||
+                 glsl_source_includes(&source, "material/author.glsl"),
         .throws_light =
             glsl_source_includes(&source, "material/glass.glsl") ||
             (glsl_source_includes(&source, "material/mirror.glsl") && !params->scene->mirror_count),

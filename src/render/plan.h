@@ -27,6 +27,7 @@ typedef struct SceneNeeds {
     bool search;            /* whether its rays search by loops (glsl/shape/search.glsl) */
     long search_iterations; /* of one ray */
     bool emits;             /* whether one of its materials does */
+    bool shiny;        /* whether some are neither matte nor mirrors */
     bool throws_light; /* whether it has glass, or mirrors and no mirror-sphere: what they throw is found by
                           chance */
     unsigned inputs;   /* render/inputs.h */
@@ -43,7 +44,7 @@ typedef struct Plan {
  * scene. */
 MUST_CHECK bool plan_make(Plan *plan, const RenderParams *params, Error *error);
 
-/* The methods alone, with what auto takes. */
+/* The methods alone, with what auto takes, by plan->needs. */
 MUST_CHECK bool plan_choose_methods(Plan *plan, const RenderParams *params, Error *error);
 
 /* The fragment shader as one text: the methods, the scene and what they include. `image`: the program that

@@ -115,7 +115,7 @@ static void follow_plan(Renderer *renderer, const Plan *plan) {
     renderer->sun_disk = plan->sun;
     bool sampled = strcmp(plan->sun.method->name, "sampled") == 0;
     renderer->sun_by_chance = sampled ? plan->needs.throws_light : strcmp(plan->sun.method->name, "off") != 0;
-    renderer->inputs = plan->needs.inputs;
+    renderer->needs = plan->needs;
     renderer->max_hits = plan->max_hits;
     renderer->group_samples = renderer->group = plan->group_samples;
     /* For the first draw, a guess on the low side: hits are few, the sky's loop is run in full. */
@@ -196,7 +196,7 @@ static bool move_sun(Renderer *renderer, const Context *context, const Plan *pla
 bool renderer_restart(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
     const Scene *scene = params->scene;
     int width = plan_width(params), height = plan_height(params);
-    Plan plan;
+    Plan plan = {.needs = renderer->needs};
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
         !plan_choose_methods(&plan, params, error)) {
         return false;

@@ -36,7 +36,7 @@ typedef struct Renderer {
     unsigned group;           /* renderer_advance: samples of the group that is being drawn ... */
     int row;                  /* ... whose rows before this one stand in the back of the film's target */
     unsigned parts;           /* of its films */
-    unsigned inputs;          /* that the scene wants (render/inputs.h) */
+    SceneNeeds needs;
     bool ozone;               /* whether it was compiled in */
     Parameter spheres_made_for[32]; /* the scene's, and its time */
     double spheres_time_s;
