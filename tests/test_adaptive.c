@@ -167,7 +167,7 @@ static void test_adaptive(void **state) {
         paths += (uint64_t)samples[i];
     }
     free(samples);
-    assert_true(paths == adaptive.paths && adaptive.least == 16 && adaptive.most > 16);
+    assert_true(paths == adaptive.paths && adaptive.least == 8 && adaptive.most > 16);
     for (uint64_t n = adaptive.least; n <= adaptive.most; n *= 2) {
         Image even = even_picture(&bench, n);
         for (int i = 0; i < SIZE * SIZE; i++) {

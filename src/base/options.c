@@ -202,7 +202,8 @@ static const Option table[] = {
          "a scene's parameter, sun.elevation, atmosphere.mie_g, ...; may be repeated"),
     STRING("--sky", "METHOD", R | V | F | S, sky, "table[:METHOD], gauss[:n], paper[:NxM] or uniform[:L]"),
     STRING("--light", "METHOD", R | V | F, light,
-           "control, cosine, mis or paper; by default mis for a low sun, control where the sky is a table and the "
+           "control, cosine, mis or paper; by default mis for a low sun, control where the sky is a table "
+           "and the "
            "scene has bounds, or else cosine"),
     STRING("--sequence", "METHOD", R | V | F, sequence, "sobol, additive or random; sobol by default"),
     TAKE("--error", "PERCENT", R, take_error,

@@ -24,7 +24,8 @@ static const char *automatic(MethodFamily family) {
     if (family == METHOD_SKY)
         return "gauss:n or a table of it, the cheapest whose bias is within a third of the error asked for";
     if (family == METHOD_LIGHT)
-        return "mis for a low sun on more than ground, control with a table of the sky and a scene that has bounds, else "
+        return "mis for a low sun on more than ground, control with a table of the sky and a scene that has "
+               "bounds, else "
                "cosine";
     return method_default(family);
 }

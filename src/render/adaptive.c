@@ -9,10 +9,10 @@
 
 enum {
     FIRST_SAMPLES = 4,
-    EVEN_SAMPLES =
-        16, /* up to here all tiles get the same and nothing is claimed: what fewer tell is too uncertain */
-    MOST_LEVELS = 24,  /* of doublings to look ahead */
-    MEASURED_SHARE = 8 /* of evenly spread samples, what comes before this part of them is not measured */
+    EVEN_SAMPLES = 8,     /* up to here all tiles get the same, and then what each is worth */
+    CLAIMED_SAMPLES = 16, /* of the tile that has the most: nothing is claimed of fewer, too uncertain */
+    MOST_LEVELS = 24,     /* of doublings to look ahead */
+    MEASURED_SHARE = 8    /* of evenly spread samples, what comes before this part of them is not measured */
 };
 
 /* A tile is planned with no less than this share of the mean of the tiles around it: what is rare, such as a
@@ -209,11 +209,14 @@ static bool measure(Adaptive *adaptive, const Renderer *renderer, Error *error) 
 
 bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double percent, bool (*stop)(void),
                     Error *error) {
-    bool even = renderer->film.samples < EVEN_SAMPLES;
+    /* Where no tile is worth more so early, as in a picture of the sky alone, all get as many as are claimed
+     * of. */
+    bool even = renderer->film.samples < EVEN_SAMPLES ||
+                (!choose(adaptive, percent) && adaptive->most < CLAIMED_SAMPLES);
     if (even) {
         if (!sample_evenly(adaptive, renderer, stop, error)) return false;
-    } else if (choose(adaptive, percent)) {
-        if (!double_tiles(adaptive, renderer, stop, error)) return false;
+    } else if (!double_tiles(adaptive, renderer, stop, error)) {
+        return false;
     }
     adaptive->rounds++;
     find_range(adaptive);
@@ -231,5 +234,5 @@ bool adaptive_pass(Adaptive *adaptive, Renderer *renderer, uint64_t samples, boo
 
 double adaptive_percent(const Adaptive *adaptive) {
     /* What a few samples have not met, such as a lamp that is found by chance, would pass for done. */
-    return adaptive->most < EVEN_SAMPLES ? INFINITY : noise_percent(&adaptive->noise);
+    return adaptive->most < CLAIMED_SAMPLES ? INFINITY : noise_percent(&adaptive->noise);
 }

@@ -67,7 +67,8 @@ static bool mirrors_alone_block(const Scene *scene) {
     int same = 0;
     for (int i = 0; i < scene->bound_count; i++) {
         for (int k = 0; k < scene->mirror_count; k++) {
-            if (memcmp(scene->bounds[i].words, scene->mirrors[k].words, sizeof scene->bounds[i].words)) continue;
+            if (memcmp(scene->bounds[i].words, scene->mirrors[k].words, sizeof scene->bounds[i].words))
+                continue;
             same++;
             break;
         }
