@@ -111,6 +111,8 @@ static void test_scene_errors(void **state) {
         {INTERSECT, "bad.glsl:1: missing function: Material scene_material(Hit hit)"},
         {MATERIAL, "bad.glsl:1: missing function: void scene_intersect(Ray ray, INOUT(Hit) hit)"},
         {"// void scene_intersect() {}\n" MATERIAL, "missing function: void scene_intersect"},
+        {"#include \"shape/march.glsl\"\n" INTERSECT MATERIAL,
+         "bad.glsl:1: missing function: float scene_distance(vec3 p)"},
         {INTERSECT MATERIAL "\nfloat f() { return frob; }\n", "bad.glsl:4: "},
         {INTERSECT "#include \"shape/sphere.glsl\"\n" MATERIAL "\n\nfloat f( { }\n", "bad.glsl:6: "},
         {"#include \"shape/cube.glsl\"\n" INTERSECT MATERIAL, "bad.glsl:1: no file 'shape/cube.glsl'"},
