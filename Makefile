@@ -98,7 +98,7 @@ atlas:
 honesty: all
 	tools/honesty.sh $(BUILD)/magichour out/honesty
 
-# Contact sheets of the scenes, the shapes and the materials.
+# Contact sheets of the scenes, the shapes and the materials: a quarter of an hour.
 sheets:
 	tools/deps.sh build atlas
 	$(MAKE) all

@@ -3,7 +3,7 @@
 //@ camera  eye 0 5 -6  target 0 0.25 -0.25  fov 34
 //@ sun     elevation 35  azimuth 140
 //@ size    512 512
-//@ bound   0 0.5 0  2.8
+//@ bound   0 0.5 0  3
 //@ preset  noon      sun.elevation 60
 //@ preset  sunset    sun.elevation 5   exposure 0.5
 //@ preset  twilight  sun.elevation -2  exposure 4

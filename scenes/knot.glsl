@@ -3,7 +3,7 @@
 //@ camera  eye 0 2.6 -4.2  target 0 0.95 0  fov 42
 //@ sun     elevation 30  azimuth 130
 //@ size    512 512
-//@ bound   0 1 0 1.6
+//@ bound   0 1 0 1.7
 //@ preset  noon      sun.elevation 60
 //@ preset  sunset    sun.elevation 5   exposure 0.5
 //@ preset  twilight  sun.elevation -2  exposure 4

@@ -3,7 +3,7 @@
 //@ camera  eye 0 5 -6.2  target 0 0.3 0  fov 33
 //@ sun     elevation 35  azimuth 140
 //@ size    640 480
-//@ bound   0 0.5 0  3.2
+//@ bound   0 0.5 0  3.35
 //@ preset  noon      sun.elevation 60
 //@ preset  sunset    sun.elevation 5   exposure 0.5
 //@ preset  twilight  sun.elevation -2  exposure 4

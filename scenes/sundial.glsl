@@ -5,7 +5,7 @@
 //@ size    512 512
 //@ sun-disk on
 //@ exposure -3
-//@ bound   0 0.6 0  0.5
+//@ bound   0 0.4 0  0.47
 //@ preset  noon      sun.elevation 60  sun.azimuth 180
 //@ preset  sunset    sun.elevation 5   sun.azimuth 270  exposure -0.5
 //@ preset  twilight  sun.elevation -2  sun.azimuth 280  exposure 4

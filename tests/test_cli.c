@@ -111,6 +111,8 @@ static void test_scene_errors(void **state) {
         {INTERSECT, "bad.glsl:1: missing function: Material scene_material(Hit hit)"},
         {MATERIAL, "bad.glsl:1: missing function: void scene_intersect(Ray ray, INOUT(Hit) hit)"},
         {"// void scene_intersect() {}\n" MATERIAL, "missing function: void scene_intersect"},
+        {"#include \"shape/march.glsl\"\n" INTERSECT MATERIAL,
+         "bad.glsl:1: missing function: float scene_distance(vec3 p)"},
         {INTERSECT MATERIAL "\nfloat f() { return frob; }\n", "bad.glsl:4: "},
         {INTERSECT "#include \"shape/sphere.glsl\"\n" MATERIAL "\n\nfloat f( { }\n", "bad.glsl:6: "},
         {"#include \"shape/cube.glsl\"\n" INTERSECT MATERIAL, "bad.glsl:1: no file 'shape/cube.glsl'"},
@@ -243,24 +245,26 @@ static void test_looking(void **state) {
     support_expect(0, "", "--version");
 }
 
-/* The README's scene in ten lines is one. */
+/* The README's scene in ten lines is one, and in ten. */
 static void test_readme_scene(void **state) {
     (void)state;
     Text readme = {0}, scene = {0};
     Error error;
     assert_true(file_read("README.md", STATUS_FAILURE, &readme, &error));
-    const char *line = strstr(text_string(&readme), "    //@ title");
+    const char *line = strstr(text_string(&readme), "## Write a scene in ten lines\n\n");
     assert_non_null(line);
-    for (; strncmp(line, "    ", 4) == 0; line = strchr(line, '\n') + 1) {
+    line = strstr(line, "    //@");
+    int lines = 0;
+    for (; strncmp(line, "    ", 4) == 0; line = strchr(line, '\n') + 1, lines++) {
         text_print(&scene, "%.*s", (int)(strchr(line, '\n') + 1 - line) - 4, line + 4);
     }
+    assert_int_equal(lines, 10);
     support_expect(0, "", "render '%s' " TINY " --set size=1 -o '%s'",
                    support_write("readme.glsl", text_string(&scene)), support_path("readme.png"));
     text_free(&readme);
     text_free(&scene);
 }
 
-/* What auto takes, and that it says why: by the error asked for and by the paths that repay a table. */
 /* Light that only chance finds is said to be that, and nothing is said where there is none. */
 static void test_by_chance(void **state) {
     (void)state;
@@ -279,6 +283,7 @@ static void test_by_chance(void **state) {
     }
 }
 
+/* What auto takes, and that it says why: by the error asked for and by the paths that repay a table. */
 static void test_auto(void **state) {
     (void)state;
     const char *out = support_path("auto.exr");

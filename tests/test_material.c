@@ -24,6 +24,7 @@ static void evaluate(const Context *context, const char *name, const char *const
     char glsl[4096];
     snprintf(glsl, sizeof glsl,
              "#include \"scene.glsl\"\n#include \"material/%s.glsl\"\n#include \"math/hash.glsl\"\n"
+             "#include \"light/lambert.glsl\"\n"
              "#define NAME(what) %s_##what\n"
              "const float LOBE = %.9f;\n"
              "vec3 normal = normalize(vec3(1, -2, 0.5)), tx = normalize(cross(normal, vec3(0, 0, 1)));\n"
@@ -137,6 +138,19 @@ static Measured measure(const Context *context, const char *name, const char *co
     return measured;
 }
 
+/* Lambert's: all of the albedo, whichever way the light came. */
+static void test_matte(void **state) {
+    (void)state;
+    Context context;
+    support_open(&context);
+    for (int k = 0; k < 3; k++) {
+        Measured measured = measure(&context, "matte", "matte(vec3(0.8, 0.5, 0.25))", incidences[k], 1);
+        assert_true(fabs(measured.weight - 0.8) < 1e-6 && fabs(measured.value - 0.8) < 1e-3);
+        assert_true(fabs(measured.pdf_above - 1) < 1e-3);
+    }
+    context_close(&context);
+}
+
 /* Of a tint of 1, at roughness 1, exactly 1 - c log((1 + c) / c) of the light goes on that comes at cosine c.
  */
 static void test_rough_metal(void **state) {
@@ -173,26 +187,61 @@ static void test_smooth_metal(void **state) {
 }
 
 /* value / cosine is the same either way. */
+static void expect_reciprocal(const Context *context, const char *name, const char *constructor) {
+    char rest[1024];
+    snprintf(rest, sizeof rest,
+             "vec3 up(float z, float a) {\n"
+             "    float r = sqrt(1.0 - z * z);\n"
+             "    return r * cos(2.0 * PI * a) * tx + r * sin(2.0 * PI * a) * ty + z * normal;\n}\n"
+             "vec4 answer(vec2 t) {\n    vec4 r = random(t, 3u);\n"
+             "    vec3 a = up(mix(0.02, 1.0, r.x), r.y), b = up(mix(0.02, 1.0, r.z), r.w);\n"
+             "    vec3 there = %s_value(m, normal, -a, b) / dot(b, normal);\n"
+             "    vec3 back = %s_value(m, normal, -b, a) / dot(a, normal);\n"
+             "    return vec4(abs(there - back) / max(there, back), 0);\n}",
+             name, name);
+    evaluate(context, name, constructor, 0, 1, rest);
+    float worst = 0;
+    for (int i = 0; i < 4 * TEXELS; i++) worst = fmaxf(worst, results[i]);
+    if (!(worst < 1e-3f)) fail_msg("%s: %g", constructor, (double)worst);
+}
+
 static void test_reciprocity(void **state) {
     (void)state;
     Context context;
     support_open(&context);
+    expect_reciprocal(&context, "matte", "matte(vec3(0.8, 0.5, 0.25))");
     for (int k = 0; k < 4; k++) {
         char constructor[128];
         snprintf(constructor, sizeof constructor, "rough_metal(gold(), %.4f)", roughnesses[k]);
-        evaluate(&context, "rough_metal", constructor, 0, 1,
-                 "vec3 up(float z, float a) {\n"
-                 "    float r = sqrt(1.0 - z * z);\n"
-                 "    return r * cos(2.0 * PI * a) * tx + r * sin(2.0 * PI * a) * ty + z * normal;\n}\n"
-                 "vec4 answer(vec2 t) {\n    vec4 r = random(t, 3u);\n"
-                 "    vec3 a = up(mix(0.02, 1.0, r.x), r.y), b = up(mix(0.02, 1.0, r.z), r.w);\n"
-                 "    vec3 there = rough_metal_value(m, normal, -a, b) / dot(b, normal);\n"
-                 "    vec3 back = rough_metal_value(m, normal, -b, a) / dot(a, normal);\n"
-                 "    return vec4(abs(there - back) / max(there, back), 0);\n}");
-        float worst = 0;
-        for (int i = 0; i < 4 * TEXELS; i++) worst = fmaxf(worst, results[i]);
-        if (!(worst < 1e-3f)) fail_msg("roughness %g: %g", roughnesses[k], (double)worst);
+        expect_reciprocal(&context, "rough_metal", constructor);
     }
+    context_close(&context);
+}
+
+/* What goes through the surface of glass comes back the same way, and as much of it. */
+static void test_glass_back(void **state) {
+    (void)state;
+    Context context;
+    double off = 0, apart = 0;
+    support_open(&context);
+    evaluate(&context, "glass", "glass(1.5)", 0, 1,
+             "vec4 answer(vec2 t) {\n    float a = 0.49 * PI * (t.y + 0.5) / 512.0;\n"
+             "    vec3 d = sin(a) * tx - cos(a) * normal;\n"
+             "    Bounce in_glass = glass_sample(m, normal, d, vec2(0.5), vec2(1.0));\n"
+             "    Bounce back = glass_sample(glass(1.0 / m.ior), -normal, -in_glass.direction, vec2(0.5), "
+             "vec2(1.0));\n"
+             "    float here = -dot(d, normal), beyond = -dot(in_glass.direction, normal);\n"
+             "    float there = glass_fresnel(m.ior, here, beyond);\n"
+             "    return vec4(length(back.direction + d), abs(there - glass_fresnel(1.0 / m.ior, beyond, "
+             "here)), here, beyond);\n}");
+    for (int i = 0; i < TEXELS; i++) {
+        const float *v = results + 4 * i;
+        assert_true(v[2] > 0 && v[3] > 0.7f); /* Snell's critical angle: cosine 0.745 */
+        off = fmax(off, (double)v[0]);
+        apart = fmax(apart, (double)v[1]);
+    }
+    print_message("glass, there and back: direction off by %.1e, reflectances apart by %.1e\n", off, apart);
+    assert_true(off < 1e-5 && apart < 1e-5);
     context_close(&context);
 }
 
@@ -390,6 +439,7 @@ static void test_not_included(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_matte),       cmocka_unit_test(test_glass_back),
         cmocka_unit_test(test_rough_metal), cmocka_unit_test(test_smooth_metal),
         cmocka_unit_test(test_reciprocity), cmocka_unit_test(test_author),
         cmocka_unit_test(test_glass),       cmocka_unit_test(test_passage),

@@ -59,6 +59,14 @@ static void test_steep(void **state) {
     assert_non_null(strstr(support_err, "changes faster than the distance"));
 }
 
+/* A field that is no number away from its surface, as where a root is taken of what may be negative. */
+static void test_no_number(void **state) {
+    (void)state;
+    render("vec3 q = p - vec3(0.0, 1.0, 0.0); return sqrt(0.3 - dot(q, q)) - 0.2;", "--spp 4");
+    assert_true(field("search_broken") > 0.9 * field("search_rays") && field("rejected") == 0);
+    assert_non_null(strstr(support_err, "or is no number"));
+}
+
 /* A field that is tiny everywhere: no surface in any number of steps. */
 static void test_cut(void **state) {
     (void)state;
@@ -81,10 +89,8 @@ static void test_loops(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_honest),
-        cmocka_unit_test(test_steep),
-        cmocka_unit_test(test_cut),
-        cmocka_unit_test(test_loops),
+        cmocka_unit_test(test_honest), cmocka_unit_test(test_steep), cmocka_unit_test(test_no_number),
+        cmocka_unit_test(test_cut),    cmocka_unit_test(test_loops),
     };
     return cmocka_run_group_tests_name("search", tests, support_folder, support_clean);
 }

@@ -282,6 +282,37 @@ static void test_layers(void **state) {
     context_close(&context);
 }
 
+/* How many entries of the tree a ray looks at: a square of 8 m full of spheres in rows, seen from above. */
+static double looks(int count) {
+    static const char rows[] =
+        "vec4 scene_sphere(int i) { int across = int(ceil(sqrt(many))); float step = 8.0 / float(across);"
+        " vec2 at = step * (vec2(float(i % across), float(i / across)) + 0.5) - 4.0;"
+        " return vec4(at.x, 0.43 * step, at.y, 0.43 * step); }";
+    static const char *const names[] = {"\"search_steps\": ", "\"search_rays\": "};
+    double numbers[2] = {0};
+    support_expect(0, "", "render %s -o %s --size 96x72 --spp 4 --sky uniform --progress json --set many=%d",
+                   scene("rows.glsl", "//@ spheres many", together, rows), support_path("rows.pfm"), count);
+    const char *done = strstr(support_err, "\"done\": true");
+    for (int i = 0; done && i < 2; i++) {
+        const char *at = strstr(done, names[i]);
+        if (at) numbers[i] = strtod(at + strlen(names[i]), NULL);
+    }
+    assert_true(numbers[1] >= 96 * 72 * 4);
+    return numbers[0] / numbers[1];
+}
+
+/* No more than in proportion to log(count), from 100 on. */
+static void test_growth(void **state) {
+    (void)state;
+    need_gl();
+    double hundred = looks(100);
+    for (int count = 1000; count <= 100000; count *= 10) {
+        double growth = looks(count) / hundred;
+        print_message("%d spheres: %.2f times the looks of 100\n", count, growth);
+        assert_true(growth > 1 && growth < log(count) / log(100));
+    }
+}
+
 /* The file lies beside the scene. */
 static void test_picture_of_file(void **state) {
     (void)state;
@@ -352,6 +383,7 @@ int main(void) {
         cmocka_unit_test(test_file),    cmocka_unit_test(test_picture),
         cmocka_unit_test(test_layers),  cmocka_unit_test(test_picture_of_file),
         cmocka_unit_test(test_refused), cmocka_unit_test(test_fill),
+        cmocka_unit_test(test_growth),
     };
     return cmocka_run_group_tests_name("spheres", tests, support_folder, support_clean);
 }

@@ -13,11 +13,12 @@ rows=6 # of scenes on a sheet
 mkdir -p "$folder" "$gallery"
 rm -f "$folder"/sheet-*.list "$gallery"/sheet-*.png
 
-# Light finds the rooms with difficulty.
+# samples SCENE PRESET: light finds the rooms with difficulty, and the glow about a low sun is narrow.
 samples() {
-    case $1 in
-    house | *-room) echo 4096 ;;
-    *) echo 256 ;;
+    case $1-$2 in
+    house-sunset) echo 16384 ;;
+    house-* | *-room-* | *-sunset) echo 4096 ;;
+    *) echo 1024 ;;
     esac
 }
 
@@ -44,7 +45,7 @@ for scene in "$scenes"/*.glsl; do
             label=$name
             set --
         fi
-        picture "$name-$preset" "$scene" --size 144x108 --spp "$(samples "$name")" "$@"
+        picture "$name-$preset" "$scene" --size 144x108 --spp "$(samples "$name" $preset)" "$@"
         echo "$column $row $folder/$name-$preset.png $label" >>"$list"
         column=$((column + 1))
     done
@@ -73,7 +74,7 @@ entry() {
         echo "    return matte(checker(4.0 * hit.position, vec3(0.5), vec3(0.35)));"
         echo "}"
     } >"$folder/entry.glsl"
-    picture "entry-$count" "$folder/entry.glsl" --size ${tile}x$tile --spp 256
+    picture "entry-$count" "$folder/entry.glsl" --size ${tile}x$tile --spp 1024
     echo "$((count % per_row)) $((count / per_row)) $folder/entry-$count.png $1" >>"$folder/catalogue.list"
     count=$((count + 1))
 }
@@ -104,6 +105,7 @@ material mirror material/mirror "mirror(vec3(0.95))"
 material "gold(), 0.1" material/rough_metal "rough_metal(gold(), 0.1)"
 material "copper(), 0.3" material/rough_metal "rough_metal(copper(), 0.3)"
 material "aluminium(), 0.6" material/rough_metal "rough_metal(aluminium(), 0.6)"
+material emitter material/emitter "emitter(vec3(1.2, 0.8, 0.4))"
 material "glass(1.5)" material/glass "glass(1.5)"
 material "glass_tinted" material/glass "glass_tinted(vec3(0.6, 0.9, 0.7), 1.5)"
 material "author" material/author "author(vec3(0.3, 0.5, 0.75), 0.5, 0.3, 0.1)"

@@ -1,3 +1,4 @@
+#include "math/finite.glsl"
 #include "scene.glsl"
 #include "shape/search.glsl"
 
@@ -115,8 +116,9 @@ float march_along(Ray ray, float start, float end, float size, OUT(float) field,
     }
     search_rays += 1;
     search_steps += steps;
-    // In a field steeper than the distance it went on in shorter steps, but may have leapt over something.
-    if (steepness > 1.0) search_broken += 1;
+    // In a field steeper than the distance it went on in shorter steps, but may have leapt over something; and a field that is
+    // no number ends a march.
+    if (steepness > 1.0 || !is_finite(vec3(field))) search_broken += 1;
     // By grazing a surface it took all its steps, and ended in leaps: it may have missed what is thinner than a leap.
     if (leaping) search_cut += 1;
     return found < INFINITY || !more ? found : beyond;

@@ -280,7 +280,7 @@ static void warn_search(const Job *job) {
     if (search->broken > 0) {
         fprintf(stderr,
                 "magichour: warning: %s: %.2g %% of the rays that marched met a field that changes faster "
-                "than the distance: "
+                "than the distance, or is no number: "
                 "there may be holes; divide scene_distance() by its largest slope\n",
                 path, 100 * search->broken / search->rays);
     }

@@ -119,18 +119,29 @@ static bool check_spheres(const Scene *scene, const GlslSource *source, int call
     return true;
 }
 
-static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *error) {
-    static const char *const functions[] = {"scene_intersect", "scene_material"};
-    static const char *const signatures[] = {"void scene_intersect(Ray ray, INOUT(Hit) hit)",
-                                             "Material scene_material(Hit hit)"};
-    const char *path = params->scene->path;
-    GlslSource source;
-    bool ok = true;
-    if (!glsl_source_create(&source, params->library, path, NULL, error)) return false;
-    for (int i = 0; ok && i < 2; i++) {
-        if (glsl_source_defines(&source, functions[i])) continue;
-        ok = error_set(error, STATUS_SCENE, "%s:1: missing function: %s", path, signatures[i]);
+/* What every scene defines, and what one that marches defines besides. */
+static bool check_functions(const Scene *scene, const GlslSource *source, Error *error) {
+    static const struct {
+        const char *name, *signature, *file; /* whose scenes need it; NULL: all do */
+    } functions[] = {
+        {"scene_intersect", "void scene_intersect(Ray ray, INOUT(Hit) hit)", NULL},
+        {"scene_material", "Material scene_material(Hit hit)", NULL},
+        {"scene_distance", "float scene_distance(vec3 p)", "shape/march.glsl"},
+    };
+    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
+        const char *file = functions[i].file;
+        if (glsl_source_defines(source, functions[i].name)) continue;
+        if (file && !glsl_source_includes(source, file)) continue;
+        return error_set(error, STATUS_SCENE, "%s:1: missing function: %s", scene->path,
+                         functions[i].signature);
     }
+    return true;
+}
+
+static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *error) {
+    GlslSource source;
+    if (!glsl_source_create(&source, params->library, params->scene->path, NULL, error)) return false;
+    bool ok = check_functions(params->scene, &source, error);
     int marches = glsl_source_calls(&source, "march"), spheres = glsl_source_calls(&source, "hit_spheres");
     if (ok) ok = check_spheres(params->scene, &source, spheres, error);
     *needs = (SceneNeeds){
