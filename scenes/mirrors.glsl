@@ -6,6 +6,8 @@
 //@ bound   0 0.9 -1.6  1.4
 //@ bound   0 0.9 1.6  1.4
 //@ bound   0 0.6 0  0.6
+//@ mirror-plane  0 0
+//@ mirror-plane  -tilt 0
 //@ preset  noon      sun.elevation 60
 //@ preset  sunset    sun.elevation 5   exposure 0.5
 //@ preset  twilight  sun.elevation -2  exposure 4

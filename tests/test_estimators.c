@@ -10,7 +10,7 @@
 
 enum { SIZE = 64 };
 
-/* One place's agreement, added to what is pooled over places. */
+/* One place's agreement, added to what is pooled over places. `scene`: the crater's options. */
 static void compare_at(const char *scene, const char *first, const char *second, const Spread *a,
                        Agreement *pool) {
     static Spread b;
@@ -93,6 +93,32 @@ static void test_chance(void **state) {
     expect_agreement("chance", &pool, 3);
 }
 
+/* Sunlight by way of two flat mirrors that face each other, of each and of both in turns, against the same disk
+ * found by chance. */
+static void test_planes(void **state) {
+    (void)state;
+    static const char *const places[] = {"40,100", "35,10", "35,185"};
+    static const char *const disks[] = {"chance", "sampled"};
+    Agreement pool = {0};
+    for (int s = 0; s < 3; s++) {
+        static Spread found[2];
+        for (int k = 0; k < 2; k++) {
+            char arguments[256];
+            snprintf(arguments, sizeof arguments,
+                     "--spp 1024 --set sun.radius=25 --sun %s --sun-disk=%s --light cosine --sequence random",
+                     places[s], disks[k]);
+            spread_render("scenes/mirrors.glsl", arguments, SIZE, 100 * k, &found[k]);
+        }
+        Agreement got = spread_agreement(&found[0], &found[1]);
+        print_message("mirrors, sun %s: means differ by %+.3f %%, mean z^2 %.3f of %.3f, |z| > 4 in %.2f %%\n",
+                      places[s], 100 * got.difference, got.z2, got.expected, 100 * got.far);
+        assert_true(fabs(got.difference) < 3e-3 && got.far < 0.01);
+        pool.z2 += got.z2;
+        pool.expected += got.expected;
+    }
+    expect_agreement("flat mirrors", &pool, 3);
+}
+
 /* Another renderer's crater, pixel by pixel: off edges, 99 % of the ground's values are within four standard
  * errors, its and ours and the 2e-4 of the mean to which its meshes agree with the crater. (At sun 5, and
  * where the sun itself shines, its own standard errors do not hold: rare bright paths are missing from most
@@ -136,6 +162,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_sky),
         cmocka_unit_test(test_disk),
+        cmocka_unit_test(test_planes),
         cmocka_unit_test(test_chance),
         cmocka_unit_test(test_another_renderer),
     };

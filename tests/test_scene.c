@@ -84,6 +84,8 @@ static void test_annotations_refused(void **state) {
         {"//@ preset a frob 1", "no setting 'frob'"},
         {"//@ bound 1 2 3", "bound needs x y z radius"},
         {"//@ mirror-sphere 1 2", "mirror-sphere needs x y z radius"},
+        {"//@ mirror-plane 1", "mirror-plane needs the azimuth and the elevation"},
+        {"//@ mirror-plane 0 frob", "mirror-plane: 'frob' is neither a number nor a slider's name"},
         {"//@ mirror-sphere 0 0 0 frob", "mirror-sphere: 'frob' is neither a number above 0"},
         {"//@ spheres", "spheres needs a number, a slider's name or a .csv file"},
         {"//@ spheres 1 2", "spheres needs a number, a slider's name or a .csv file"},

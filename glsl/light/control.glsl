@@ -78,7 +78,7 @@ Bounce blocker_bounce(Bounce bounce, vec3 position, vec3 normal, BlockerChoice c
 vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     vec3 throughput = vec3(1.0);
     vec3 gathered = vec3(0.0); // at the hits so far
-    int sun = SUN_SOUGHT;
+    int sun = SUN_PICTURED;
     float share = 1.0; // of the light that the next hit emits
     // What is looked up about the first level ground is looked up after the loop, once for all neighbours.
     vec3 known = vec3(0.0);   // the open sky's light on it, over the irradiance

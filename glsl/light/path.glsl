@@ -14,7 +14,7 @@ float path_pdf(Material material, vec3 normal, vec3 incoming, vec3 outgoing);
 vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     vec3 throughput = vec3(1.0);
     vec3 gathered = vec3(0.0); // at the hits so far
-    int sun = SUN_SOUGHT;
+    int sun = SUN_PICTURED;
     float share = 1.0; // of the light that the next hit emits
     int hits = 0;
     bool escaped = false;

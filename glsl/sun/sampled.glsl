@@ -1,9 +1,10 @@
-// --sun sampled: every hit looks for the disk itself, straight and by way of the mirror spheres that the scene names. What those
-// cannot find, chains of mirrors and mirrors of other shapes, is left to chance.
+// --sun sampled: every hit looks for the disk itself, straight and by way of the mirror spheres and the flat mirrors that the scene
+// names. What those cannot find, such as by way of a sphere and another mirror, is left to chance.
 #include "light/surface.glsl"
 #include "pass/sun_disk.glsl"
 #include "sun/ask.glsl"
 #include <mirrors>
+#include <planes>
 
 vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
     vec2 u = sequence_pair(sequence);
@@ -15,13 +16,18 @@ vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT
         bool blocked = surface_hit(ray_from(hit, toward)).t < INFINITY;
         reflected = blocked ? vec3(0.0) : value * irradiance;
     }
-    if (mirrors > 0) reflected += mirrors_reflect(hit, material, incoming, toward, irradiance, sequence);
+    if (mirrors > 0) {
+        reflected += mirrors_reflect(hit, material, incoming, toward, irradiance, sequence);
+        reflected += planes_reflect(hit, material, incoming, toward, mirrors, sequence);
+    }
     return reflected;
 }
 
 int sun_after_bounce(int state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
     if (bounce.pdf > 0.0) return SUN_SOUGHT;
-    return state == SUN_SOUGHT && mirrors_know(hit, material, incoming) ? SUN_REFLECTED : SUN_CHANCE;
+    if (state <= SUN_PICTURED && mirrors_know(hit, material, incoming)) return SUN_REFLECTED;
+    int reflections = state == SUN_SOUGHT ? 0 : state >= SUN_PLANES ? state - SUN_PLANES + 1 : PLANE_CHAIN;
+    return reflections < PLANE_CHAIN && planes_know(hit, material) ? SUN_PLANES + reflections : SUN_CHANCE;
 }
 
 vec3 sun_escaped(int state, vec3 direction) {

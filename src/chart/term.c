@@ -101,6 +101,17 @@ static void caustic_turn(const Term *term, Variation *variation, bool on) {
     variation->scene.mirror_count = 0;
 }
 
+static TermState planes_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    return state_of(has_disk(renderer) && params->scene->plane_count, true);
+}
+
+static void planes_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    (void)on;
+    variation->scene.plane_count = 0;
+}
+
 static TermState hits_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)renderer;
     return state_of(true, !params->max_hits || params->max_hits > term->number);
@@ -202,6 +213,7 @@ static const Term terms[] = {
     {"the planet's curvature", false, curvature_state, curvature_turn, 0},
     {"the sun's disk", false, disk_state, disk_turn, 0},
     {"sunlight off mirror spheres", false, caustic_state, caustic_turn, 0},
+    {"sunlight off flat mirrors", false, planes_state, planes_turn, 0},
     {"hits beyond the first", false, hits_state, hits_turn, 1},
     {"hits beyond the second", false, hits_state, hits_turn, 2},
     {"hits beyond the fourth", false, hits_state, hits_turn, 4},

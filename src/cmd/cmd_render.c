@@ -306,11 +306,12 @@ static void warn(const Job *job) {
                 job->search.rays > 0 ? ", or took more loops than the driver allows," : "");
     }
     if (job->renderer.sun_by_chance) {
-        fprintf(stderr,
-                "magichour: warning: %s: sunlight that glass throws, or mirrors that no mirror-sphere names, "
-                "is found by chance: "
-                "the estimated error knows nothing of what no sample has met\n",
-                job->scene.path);
+        fprintf(
+            stderr,
+            "magichour: warning: %s: sunlight that glass throws, or mirrors that the scene does not name, "
+            "is found by chance: "
+            "the estimated error knows nothing of what no sample has met\n",
+            job->scene.path);
     }
     warn_search(job);
 }

@@ -28,7 +28,7 @@ double auto_error_percent(const AutoWish *wish);
  * known, the most accurate. choice->why says which. */
 MUST_CHECK bool auto_sky(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error);
 
-/* The light method for `text` NULL or "auto": mis where a low sun shines on more than ground, control where the sky
- * is a table and the scene has bounds, else cosine. */
+/* The light method for `text` NULL or "auto": mis where a low sun shines on more than ground, control where
+ * the sky is a table and the scene has bounds, else cosine. */
 MUST_CHECK bool auto_light(MethodChoice *choice, const char *text, const MethodChoice *sky,
                            const AutoWish *wish, Error *error);

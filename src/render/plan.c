@@ -20,7 +20,8 @@ enum {
        (glsl/shape/march.glsl) and SPHERES_STEPS (glsl/shape/spheres.glsl). What goes beyond all loops
        together is noticed (glsl/pass/search.glsl) and counted. */
     MARCH_ITERATIONS = 200,
-    SPHERES_ITERATIONS = 200
+    SPHERES_ITERATIONS = 200,
+    PLANE_CHAIN = 4 /* glsl/sun/planes.glsl */
 };
 
 bool plan_controls(const Plan *plan) {
@@ -39,7 +40,10 @@ static long hit_iterations(const Plan *plan, const Scene *scene) {
     long rays = 1 + (sun ? 1 : 0) + (sun && scene->mirror_count ? 2 : 0) + (emitters ? 1 : 0);
     long bounds = plan_controls(plan) ? (emitters ? 3L : 2L) * scene->bound_count : 0;
     long mirrors = sun && scene->mirror_count ? 6 + 5L * scene->mirror_count : 0;
-    return 1 + rays * plan->needs.search_iterations + bounds + mirrors + 3 * emitters;
+    /* Each of a chain's rays asks which mirror it met, and which it should. */
+    long planes = sun && scene->plane_count ? PLANE_CHAIN * (3 + 2L * PLANE_CHAIN + scene->plane_count) : 0;
+    if (planes) rays += PLANE_CHAIN + 1;
+    return 1 + rays * plan->needs.search_iterations + bounds + mirrors + planes + 3 * emitters;
 }
 
 /* Where much is looked for at a hit, "unlimited" is as many hits as the loops allow. */
@@ -144,17 +148,17 @@ static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *err
     bool ok = check_functions(params->scene, &source, error);
     int marches = glsl_source_calls(&source, "march"), spheres = glsl_source_calls(&source, "hit_spheres");
     if (ok) ok = check_spheres(params->scene, &source, spheres, error);
-    *needs = (SceneNeeds){
-        .search = glsl_source_includes(&source, "shape/search.glsl"),
-        .search_iterations = (long)marches * MARCH_ITERATIONS + (long)spheres * SPHERES_ITERATIONS,
-        .emits = glsl_source_emits(&source),
-        .shiny = glsl_source_includes(&source, "material/glass.glsl") ||
-                 glsl_source_includes(&source, "material/rough_metal.glsl") ||
-                 glsl_source_includes(&source, "material/author.glsl"),
-        .throws_light =
-            glsl_source_includes(&source, "material/glass.glsl") ||
-            (glsl_source_includes(&source, "material/mirror.glsl") && !params->scene->mirror_count),
-        .inputs = inputs_wanted(&source)};
+    *needs = (SceneNeeds){.search = glsl_source_includes(&source, "shape/search.glsl"),
+                          .search_iterations =
+                              (long)marches * MARCH_ITERATIONS + (long)spheres * SPHERES_ITERATIONS,
+                          .emits = glsl_source_emits(&source),
+                          .shiny = glsl_source_includes(&source, "material/glass.glsl") ||
+                                   glsl_source_includes(&source, "material/rough_metal.glsl") ||
+                                   glsl_source_includes(&source, "material/author.glsl"),
+                          .throws_light = glsl_source_includes(&source, "material/glass.glsl") ||
+                                          (glsl_source_includes(&source, "material/mirror.glsl") &&
+                                           !params->scene->mirror_count && !params->scene->plane_count),
+                          .inputs = inputs_wanted(&source)};
     glsl_source_destroy(&source);
     return ok;
 }
@@ -171,20 +175,31 @@ static void write_spheres(Text *text, const char *count_name, const char *functi
     text_print(text, "    return vec4(0.0);\n}");
 }
 
+/* The flat mirrors alike. */
+static void write_planes(Text *text, const NamedPlane *planes, int count) {
+    text_print(text, "const int MIRROR_PLANES = %d;\nvec2 mirror_plane(int i) {\n", count);
+    for (int i = 0; i < count; i++) {
+        text_print(text, "    if (i == %d) return vec2(float(%s), float(%s));\n", i, planes[i].words[0],
+                   planes[i].words[1]);
+    }
+    text_print(text, "    return vec2(0.0);\n}");
+}
+
 bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, GlslSource *source,
                   Error *error) {
     const Scene *scene = params->scene;
     GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 11] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
     SkySlotText text;
-    Text bounds = {0}, mirrors = {0}, emitters = {0}, inputs = {0};
+    Text bounds = {0}, mirrors = {0}, planes = {0}, emitters = {0}, inputs = {0};
     const char *emission = !plan->needs.emits     ? "emission/none.glsl"
                            : scene->emitter_count ? "emission/sampled.glsl"
                                                   : "emission/chance.glsl";
     write_spheres(&bounds, "SCENE_BOUNDS", "scene_bound", scene->bounds, scene->bound_count);
     write_spheres(&mirrors, "MIRROR_SPHERES", "mirror_sphere", scene->mirrors, scene->mirror_count);
+    write_planes(&planes, scene->planes, scene->plane_count);
     write_spheres(&emitters, "EMITTER_SPHERES", "emitter_sphere", scene->emitters, scene->emitter_count);
     sky_slots(&plan->sky, &scene->atmosphere, slots, &text);
-    sun_slots(&plan->sun, scene, image, text_string(&mirrors), slots + SKY_SLOTS);
+    sun_slots(&plan->sun, scene, image, text_string(&mirrors), text_string(&planes), slots + SKY_SLOTS);
     slot[0] = (GlslSlot){"sequence", plan->sequence.method->file, NULL};
     slot[1] = (GlslSlot){"light", plan->light.method->file, NULL};
     slot[2] = (GlslSlot){"scene", scene->path, NULL};
@@ -199,6 +214,7 @@ bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, Glsl
     bool ok = glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
     text_free(&bounds);
     text_free(&mirrors);
+    text_free(&planes);
     text_free(&emitters);
     text_free(&inputs);
     return ok;

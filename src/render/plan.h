@@ -27,8 +27,8 @@ typedef struct SceneNeeds {
     bool search;            /* whether its rays search by loops (glsl/shape/search.glsl) */
     long search_iterations; /* of one ray */
     bool emits;             /* whether one of its materials does */
-    bool shiny;        /* whether some are neither matte nor mirrors */
-    bool throws_light; /* whether it has glass, or mirrors and no mirror-sphere: what they throw is found by
+    bool shiny;             /* whether some are neither matte nor mirrors */
+    bool throws_light; /* whether it has glass, or mirrors that are not named: what they throw is found by
                           chance */
     unsigned inputs;   /* render/inputs.h */
 } SceneNeeds;

@@ -37,7 +37,7 @@ typedef struct Renderer {
     int row;                  /* ... whose rows before this one stand in the back of the film's target */
     unsigned parts;           /* of its films */
     SceneNeeds needs;
-    bool ozone;               /* whether it was compiled in */
+    bool ozone;                     /* whether it was compiled in */
     Parameter spheres_made_for[32]; /* the scene's, and its time */
     double spheres_time_s;
     Text source_files; /* what was compiled, for -v */

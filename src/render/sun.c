@@ -21,7 +21,7 @@ static bool is(const MethodChoice *choice, const char *name) {
 }
 
 void sun_slots(const MethodChoice *choice, const Scene *scene, bool image, const char *spheres,
-               GlslSlot *slots) {
+               const char *planes, GlslSlot *slots) {
     bool mirrors = scene->mirror_count > 0;
     slots[0] = (GlslSlot){"sun", choice->method->file, NULL};
     slots[1] = (GlslSlot){"sun-image", image ? "sun/image.glsl" : "sun/image_none.glsl", NULL};
@@ -29,6 +29,8 @@ void sun_slots(const MethodChoice *choice, const Scene *scene, bool image, const
     slots[3] =
         (GlslSlot){"mirrors-image", mirrors ? "sun/mirrors_image.glsl" : "sun/mirrors_image_none.glsl", NULL};
     slots[4] = (GlslSlot){"mirror-spheres", NULL, spheres};
+    slots[5] = (GlslSlot){"planes", scene->plane_count ? "sun/planes.glsl" : "sun/planes_none.glsl", NULL};
+    slots[6] = (GlslSlot){"mirror-planes", NULL, planes};
 }
 
 bool sun_choose(MethodChoice *choice, const char *text, const Scene *scene, Error *error) {

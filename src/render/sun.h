@@ -6,7 +6,7 @@
 #include "render/method.h"
 #include "render/sky.h"
 
-enum { SUN_SLOTS = 5, MOST_SUN_RECTANGLES = 1 + MOST_NAMED_SPHERES };
+enum { SUN_SLOTS = 7, MOST_SUN_RECTANGLES = 1 + MOST_NAMED_SPHERES };
 
 typedef struct Sun {
     const GlApi *gl;
@@ -19,10 +19,11 @@ typedef struct Sun {
 /* The method that `text` names, NULL for what the scene says; "off" where the disk has set. */
 MUST_CHECK bool sun_choose(MethodChoice *choice, const char *text, const Scene *scene, Error *error);
 
-/* Fills slots[0 .. SUN_SLOTS): <sun>, <sun-image>, <mirrors>, <mirrors-image>, <mirror-spheres>. `image`: for
- * the program that draws the disk's image; `spheres` is GLSL that they refer to. */
+/* Fills slots[0 .. SUN_SLOTS): <sun>, <sun-image>, <mirrors>, <mirrors-image>, <mirror-spheres>, <planes>,
+ * <mirror-planes>. `image`: for the program that draws the disk's image; `spheres` and `planes` are GLSL that
+ * they refer to. */
 void sun_slots(const MethodChoice *choice, const Scene *scene, bool image, const char *spheres,
-               GlslSlot *slots);
+               const char *planes, GlslSlot *slots);
 
 /* The disk as the scene has it: makes its textures and finds the rectangles. */
 MUST_CHECK bool sun_create(Sun *sun, const Context *context, const MethodChoice *choice, const Scene *scene,

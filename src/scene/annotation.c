@@ -201,6 +201,21 @@ static bool read_mirror_sphere(Line *line, Error *error) {
     return read_sphere(line, line->scene->mirrors, &line->scene->mirror_count, error);
 }
 
+static bool read_mirror_plane(Line *line, Error *error) {
+    Scene *scene = line->scene;
+    if (line->count != 3) {
+        return error_set(
+            error, STATUS_SCENE,
+            "mirror-plane needs the azimuth and the elevation that it faces, numbers or sliders");
+    }
+    if (scene->plane_count == MOST_NAMED_SPHERES)
+        return error_set(error, STATUS_SCENE, "mirror-plane more than %d times", MOST_NAMED_SPHERES);
+    NamedPlane *plane = &scene->planes[scene->plane_count++];
+    plane->line = line->number;
+    return copy_word(plane->words[0], sizeof plane->words[0], line->words[1], error) &&
+           copy_word(plane->words[1], sizeof plane->words[1], line->words[2], error);
+}
+
 static bool read_emitter_sphere(Line *line, Error *error) {
     return read_sphere(line, line->scene->emitters, &line->scene->emitter_count, error);
 }
@@ -326,6 +341,7 @@ static const struct {
     {"bound", read_bound},
     {"sun-disk", read_sun_disk},
     {"mirror-sphere", read_mirror_sphere},
+    {"mirror-plane", read_mirror_plane},
     {"slider", read_slider},
     {"checkbox", read_checkbox},
     {"color", read_color},
@@ -392,6 +408,18 @@ static bool check_spheres(const Scene *scene, const char *key, const NamedSphere
     return true;
 }
 
+static bool check_planes(const Scene *scene, Error *error) {
+    for (int i = 0; i < scene->plane_count * 2; i++) {
+        const char *word = scene->planes[i / 2].words[i % 2];
+        double number;
+        if (find_slider(scene, word + (*word == '-')) || number_parse(word, &number)) continue;
+        return error_set(error, STATUS_SCENE,
+                         "%s:%d: mirror-plane: '%s' is neither a number nor a slider's name", scene->path,
+                         scene->planes[i / 2].line, word);
+    }
+    return true;
+}
+
 static bool check_many_spheres(const Scene *scene, Error *error) {
     const char *word = scene->spheres;
     double number;
@@ -430,6 +458,7 @@ bool annotation_read(Scene *scene, Error *error) {
     text_free(&file);
     return ok && check_spheres(scene, "bound", scene->bounds, scene->bound_count, error) &&
            check_spheres(scene, "mirror-sphere", scene->mirrors, scene->mirror_count, error) &&
+           check_planes(scene, error) &&
            check_spheres(scene, "emitter-sphere", scene->emitters, scene->emitter_count, error) &&
            check_many_spheres(scene, error) && try_presets(scene, error);
 }

@@ -33,6 +33,13 @@ typedef struct NamedSphere {
     int line;
 } NamedSphere;
 
+/* Which way a flat mirror faces: azimuth and elevation, degrees, each a number or a slider's name, which may
+ * have a minus before it. */
+typedef struct NamedPlane {
+    char words[2][64];
+    int line;
+} NamedPlane;
+
 enum { MOST_NAMED_SPHERES = 16, SCENE_MOST_SPHERES = 1000000 };
 
 typedef struct Scene {
@@ -55,6 +62,8 @@ typedef struct Scene {
     int bound_count;
     NamedSphere mirrors[MOST_NAMED_SPHERES]; /* mirrors in the shape of a sphere */
     int mirror_count;
+    NamedPlane planes[MOST_NAMED_SPHERES]; /* flat mirrors */
+    int plane_count;
     char spheres[256]; /* for hit_spheres(): how many, as a number or a slider's name, or a CSV file; or empty
                         */
     int spheres_line;

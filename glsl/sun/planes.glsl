@@ -1,0 +1,83 @@
+// The sun by way of the flat mirrors that the scene names (`mirror-plane`): of their reflections one after another, up to PLANE_CHAIN,
+// each has one direction in which it shows the disk, as large as it is.
+//
+// A name is a hint, and wrong ones do no harm: the ray that goes there must meet just those mirrors and leave the scene. What is found
+// this way and what planes_know() claims are the same light, so that it is counted once.
+#include "light/surface.glsl"
+#include "material/mirror.glsl"
+#include <mirror-planes>
+
+const int PLANE_CHAIN = 4;
+
+// Which way a mirror faces; the opposite does as well.
+vec3 plane_normal(int i) {
+    vec2 angles = radians(mirror_plane(i)); // azimuth, elevation
+    return vec3(cos(angles.y) * sin(angles.x), sin(angles.y), cos(angles.y) * cos(angles.x));
+}
+
+// Which of the mirrors a hit may lie on, the first of several that face the same way; -1 for none. Only the way that they face
+// counts, to a two-hundredth of the sun's radius.
+int plane_at(Hit hit) {
+    int at = -1;
+    for (int i = MIRROR_PLANES - 1; i >= 0; i--) {
+        vec3 normal = plane_normal(i);
+        if (min(length(hit.normal - normal), length(hit.normal + normal)) < 2.0e-5) at = i;
+    }
+    return at;
+}
+
+bool planes_know(Hit hit, Material material) {
+    return material.kind == MATERIAL_MIRROR && plane_at(hit) >= 0;
+}
+
+// The mirror at a place of the chain: u's digits to the base of their number.
+int plane_of_chain(float u, int place) {
+    float planes = float(MIRROR_PLANES);
+    float digits = u;
+    for (int i = 0; i < place; i++) digits = fract(digits * planes);
+    return min(int(digits * planes), MIRROR_PLANES - 1);
+}
+
+// One chain of at most `mirrors`, drawn by halves for its length and evenly for its mirrors, stands for all.
+vec3 planes_reflect(Hit hit, Material material, vec3 incoming, vec3 toward, int mirrors, INOUT(Sequence) sequence) {
+    vec2 u = sequence_pair(sequence);
+    int most = min(mirrors, PLANE_CHAIN);
+    int count = 1;
+    float share = 1.0 / float(MIRROR_PLANES); // the density of the chain
+    float rest = u.x;
+    for (int i = 1; i < PLANE_CHAIN; i++) {
+        bool may = count == i && i < most;
+        bool longer = may && rest < 0.5;
+        share *= may ? 0.5 : 1.0;
+        share /= longer ? float(MIRROR_PLANES) : 1.0;
+        count += longer ? 1 : 0;
+        rest = fract(2.0 * rest);
+    }
+    vec3 direction = toward;
+    for (int i = PLANE_CHAIN - 1; i >= 0; i--) {
+        vec3 normal = plane_normal(plane_of_chain(u.y, i));
+        if (i < count) direction = reflect(direction, normal);
+    }
+    vec3 reflected = material_value(material, hit.normal, incoming, direction);
+    if (most > 0 && max(reflected.x, max(reflected.y, reflected.z)) > 0.0) {
+        Ray ray = ray_from(hit, direction);
+        bool open = true;
+        for (int i = 0; i < PLANE_CHAIN; i++) {
+            if (open && i < count) {
+                Hit seen = surface_hit(ray);
+                open = seen.t < INFINITY && plane_at(seen) == plane_of_chain(u.y, i);
+                if (open) {
+                    Material mirror = scene_material(seen);
+                    open = mirror.kind == MATERIAL_MIRROR;
+                    reflected *= mirror.color;
+                    ray = ray_from(seen, reflect(ray.direction, seen.normal));
+                }
+            }
+        }
+        open = open && surface_hit(ray).t >= INFINITY;
+        reflected *= open ? sun_solid_angle() / share * sun_radiance(ray.direction) : vec3(0.0);
+    } else {
+        reflected = vec3(0.0);
+    }
+    return reflected;
+}
