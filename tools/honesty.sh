@@ -6,7 +6,7 @@
 # Says how many kept their word and the median of true over promised; fails under 90 % or under one half. What `render` itself warns of,
 # sunlight that only chance finds, is counted apart.
 set -eu
-magichour=$1 folder=$2 size=${3:-48x48} seeds=${4:-1 2} scenes=${5:-crater mirrors fences} suns=${6:-60 30 5 -2} percents=${7:-2 1}
+magichour=$1 folder=$2 size=${3:-48x48} seeds=${4:-1 2} scenes=${5:-crater fences valley mirrors} suns=${6:-60 30 5 -2} percents=${7:-2 1}
 root=$(dirname "$0")/..
 mkdir -p "$folder"
 rows=$folder/honesty.csv
