@@ -162,6 +162,19 @@ static void test_reload(void **state) {
     desktop_mean(desktop, 120, 90, 100, 60, rgb);
     assert_true(rgb[1] > 2 * rgb[0] && rgb[1] > 2 * rgb[2]);
     desktop_do(desktop, "mousemove 8 5");
+    support_write("edited.glsl", "#include \"late.glsl\"\n" SCENE);
+    desktop_expect(desktop, "\"result\": \"broken\"", "edited.glsl:1: no file 'late.glsl'");
+    desktop_do(desktop, "mousemove 9 5");
+    support_write("late.glsl", "float late() { return 1.0; }\n");
+    desktop_expect(desktop, "\"result\": \"good\"", "");
+    desktop_do(desktop, "mousemove 10 5");
+    support_write("balls.csv", "0,0.5,0,0.5\n");
+    support_write("edited.glsl", "//@ spheres balls.csv\n#include \"shape/spheres.glsl\"\n" SCENE);
+    desktop_expect(desktop, "\"result\": \"good\"", "");
+    desktop_do(desktop, "mousemove 11 5");
+    support_write("balls.csv", "0,1.5,0,0.5\n");
+    desktop_expect(desktop, "\"result\": \"good\"", "");
+    desktop_do(desktop, "mousemove 12 5");
     unlink(path);
     desktop_expect(desktop, "\"result\": \"broken\"", "edited.glsl: cannot be read");
     assert_true(desktop_number(desktop, "exposure") == 0.25); /* it was set in the window, and stays */

@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const double moving_s = 0.15;        /* that long after a change it still moves */
@@ -169,6 +170,12 @@ bool picture_reload(Picture *picture, ViewState *state, Error *error) {
     return true;
 }
 
+static void watch_spheres(Watch *watch, const Scene *scene) {
+    char *path = scene_sphere_path(scene);
+    watch_add_file(watch, path);
+    free(path);
+}
+
 void picture_watch(Picture *picture, const ViewState *state, Watch *watch) {
     Scene scene = state->scene;
     const MethodNames *methods = &state->methods[0];
@@ -184,6 +191,7 @@ void picture_watch(Picture *picture, const ViewState *state, Watch *watch) {
                     : renderer_flatten(&params, &source, &error);
     watch_add_file(watch, picture->params->path);
     if (read) watch_add(watch, params.library, &source);
+    if (scene.spheres[0] && scene_sphere_count(&scene) < 0) watch_spheres(watch, &scene);
     picture->wants_time = read && !toy && glsl_source_mentions(&source, "iTime");
     picture->wants_mouse = read && !toy && glsl_source_mentions(&source, "iMouse");
     glsl_source_destroy(&source);

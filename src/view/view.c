@@ -87,6 +87,7 @@ static bool reload_if_changed(View *view, Error *error) {
         return false;
     }
     picture_watch(&view->picture, &view->state, &view->watch);
+    watch_folders(&view->watch, !ok);
     view->heard = view->heard > 0 ? view->heard : start;
     log_begin("reload");
     log_text("result", ok ? "good" : "broken");
