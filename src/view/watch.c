@@ -42,7 +42,8 @@ void watch_add_file(Watch *watch, const char *path) {
         if (strcmp(watch->files[i].path, path) == 0) return;
     }
     watch->files = memory_grow(watch->files, (size_t)watch->count + 1, sizeof *watch->files);
-    watch->files[watch->count++] = (WatchedFile){.path = strdup(path), .folder = folder_of(path), .stamp = stamp_of(path)};
+    watch->files[watch->count++] =
+        (WatchedFile){.path = strdup(path), .folder = folder_of(path), .stamp = stamp_of(path)};
 }
 
 static void add_folder(Watch *watch, const char *folder, int depth) {
