@@ -136,6 +136,13 @@ int desktop_end(Desktop *desktop) {
     return -1;
 }
 
+void desktop_quit(Desktop *desktop) {
+    desktop_do(desktop, "key Escape");
+    assert_int_equal(desktop_end(desktop), 0);
+    assert_non_null(strstr(desktop_log(desktop), "\"event\": \"end\""));
+    assert_null(strstr(desktop_log(desktop), "OpenGL error"));
+}
+
 void desktop_signal(Desktop *desktop, int signal) {
     kill(desktop->program, signal);
 }

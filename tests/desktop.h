@@ -16,6 +16,9 @@ void desktop_view(Desktop *desktop, const char *format, ...) __attribute__((form
 
 /* Waits until the program has ended and gives its exit status. */
 int desktop_end(Desktop *desktop);
+
+/* Closes the window by a key: it must end well, and without an error of OpenGL's. */
+void desktop_quit(Desktop *desktop);
 void desktop_signal(Desktop *desktop, int signal);
 
 /* `xdotool ARGUMENTS`; what the log says from here on is news to the functions below. */
