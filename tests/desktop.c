@@ -291,3 +291,12 @@ void desktop_pixel(Desktop *desktop, int x, int y, int rgb[3]) {
     desktop_mean(desktop, x, y, 1, 1, mean);
     for (int c = 0; c < 3; c++) rgb[c] = (int)mean[c];
 }
+
+const char *desktop_save(Desktop *desktop, const char *extension) {
+    char name[64], file[80];
+    desktop_do(desktop, "key p");
+    const char *line = desktop_expect(desktop, "\"event\": \"save\"", "\"message\": \"\"");
+    assert_int_equal(sscanf(strstr(line, "\"name\": "), "\"name\": \"%63[^\"]", name), 1);
+    snprintf(file, sizeof file, "%s.%s", name, extension);
+    return support_path(file);
+}

@@ -19,6 +19,10 @@ int desktop_end(Desktop *desktop);
 
 /* Closes the window by a key: it must end well, and without an error of OpenGL's. */
 void desktop_quit(Desktop *desktop);
+
+/* Has the picture that is shown saved, and gives the path of one of its files, with that extension. */
+const char *desktop_save(Desktop *desktop, const char *extension);
+
 void desktop_signal(Desktop *desktop, int signal);
 
 /* `xdotool ARGUMENTS`; what the log says from here on is news to the functions below. */

@@ -238,16 +238,6 @@ static void test_save(void **state) {
     assert_int_equal(support_run("", "compare '%s' '%s' --max-relrmse 0", saved, again), 0);
 }
 
-/* Saves what is shown, and gives the path of one of its files, with the extension. */
-static const char *save(const char *extension) {
-    char name[64], file[80];
-    desktop_do(desktop, "key p");
-    const char *line = desktop_expect(desktop, "\"event\": \"save\"", "\"message\": \"\"");
-    assert_int_equal(sscanf(strstr(line, "\"name\": "), "\"name\": \"%63[^\"]", name), 1);
-    snprintf(file, sizeof file, "%s.%s", name, extension);
-    return support_path(file);
-}
-
 static double channel_mean(const Image *image, int channel, bool negative) {
     double sum = 0;
     int pixels = image->width * image->height;
@@ -267,13 +257,13 @@ static void test_save_sides(void **state) {
     desktop_do(desktop, "key h key i key v mousemove 40 90");
     desktop_expect_number(desktop, "right_samples", 32, 32);
     desktop_expect_number(desktop, "samples", 32, 32);
-    const char *sides = save("png");
+    const char *sides = desktop_save(desktop, "png");
     desktop_do(desktop, "mousemove 700 500");
     compare_with_screen(sides, 0.003);
     desktop_do(desktop, "key f");
     desktop_expect(desktop, "\"event\": \"frame\"", "");
-    compare_with_screen(save("png"), 0.4);
-    const char *difference = save("exr");
+    compare_with_screen(desktop_save(desktop, "png"), 0.4);
+    const char *difference = desktop_save(desktop, "exr");
     desktop_quit(desktop);
     assert_true(image_read(&image, difference, &error));
     double below = channel_mean(&image, 1, true), above = channel_mean(&image, 1, false);

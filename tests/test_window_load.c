@@ -166,9 +166,22 @@ static void measure_latency(void) {
     print_times("from xdotool's start to another pixel on the screen", times, TIMES);
 }
 
+/* What a picture's error truly is: against one of many samples and another seed. */
+static void measure_error(const char *scene, const char *size, const char *picture) {
+    const char *reference = support_path("reference.exr");
+    double elevation = desktop_number(desktop, "elevation"), azimuth = desktop_number(desktop, "azimuth");
+    assert_int_equal(support_run("",
+                                 "render '%s' -o '%s' --quiet --size %s --spp 512 --seed 9 --sun %.9g,%.9g",
+                                 scene, reference, size, elevation, azimuth),
+                     0);
+    assert_int_equal(support_run("", "compare '%s' '%s'", picture, reference), 0);
+    printf("its error against 512 samples:\n%s", support_out);
+}
+
 /* Not a test: figures of this machine, for the scene and the size that are given. */
 static int measure(const char *scene, const char *size) {
     double seconds = 3;
+    char picture[512];
     void *state = NULL;
     if (support_folder(&state) != 0) return 1;
     desktop = desktop_start();
@@ -187,7 +200,10 @@ static int measure(const char *scene, const char *size) {
     measure_answers(log);
     desktop_do(desktop, "mouseup 3");
     usleep(2000000);
-    printf("after 2 s of rest: %.0f samples\n", desktop_number(desktop, "samples"));
+    snprintf(picture, sizeof picture, "%s", desktop_save(desktop, "exr"));
+    printf("after 2 s of rest: %.0f samples, error about %.2f %%\n", desktop_number(desktop, "samples"),
+           desktop_number(desktop, "error_percent"));
+    measure_error(scene, size, picture);
     measure_latency();
     text_free(&script);
     desktop_quit(desktop);
