@@ -15,6 +15,8 @@
 /* Long, for slow machines and sanitizers; nothing waits as long as that unless it fails. */
 static const double patience_s = 30;
 
+enum { SCREEN_WIDTH = 800, SCREEN_HEIGHT = 600 };
+
 struct Desktop {
     pid_t server, program;
     int number;
@@ -37,7 +39,8 @@ static void pause_ms(long ms) {
 /* Xvfb says which number it took. */
 static int start_server(Desktop *desktop, const char *folder) {
     int ends[2];
-    char number[16] = "", descriptor[16];
+    char number[16] = "", descriptor[16], screen[32];
+    snprintf(screen, sizeof screen, "%dx%dx24", SCREEN_WIDTH, SCREEN_HEIGHT);
     if (pipe(ends) != 0) return -1;
     desktop->server = fork();
     if (desktop->server == 0) {
@@ -45,7 +48,7 @@ static int start_server(Desktop *desktop, const char *folder) {
         dup2(nothing, 0), dup2(nothing, 1), dup2(nothing, 2);
         close(ends[0]);
         snprintf(descriptor, sizeof descriptor, "%d", ends[1]);
-        execlp("Xvfb", "Xvfb", "-displayfd", descriptor, "-screen", "0", "800x600x24", "-fbdir", folder,
+        execlp("Xvfb", "Xvfb", "-displayfd", descriptor, "-screen", "0", screen, "-fbdir", folder,
                "-nolisten", "tcp", (char *)NULL);
         _exit(127);
     }
@@ -284,6 +287,20 @@ void desktop_mean(Desktop *desktop, int x, int y, int width, int height, double 
         }
     }
     free(screen);
+}
+
+bool desktop_find(Desktop *desktop, const int rgb[3], int from, int *x, int *y) {
+    (void)desktop;
+    int stride;
+    bool found = false;
+    unsigned char *screen = read_screen(&stride);
+    for (int at = from * stride; at < SCREEN_HEIGHT * stride && !found; at += 4) {
+        found = screen[at] == rgb[2] && screen[at + 1] == rgb[1] && screen[at + 2] == rgb[0];
+        *x = at % stride / 4;
+        *y = at / stride;
+    }
+    free(screen);
+    return found;
 }
 
 void desktop_pixel(Desktop *desktop, int x, int y, int rgb[3]) {

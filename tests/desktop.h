@@ -49,3 +49,6 @@ const char *desktop_log(Desktop *desktop);
 /* The screen's pixels, 0 to 255: one, and the mean over a rectangle. */
 void desktop_pixel(Desktop *desktop, int x, int y, int rgb[3]);
 void desktop_mean(Desktop *desktop, int x, int y, int width, int height, double rgb[3]);
+
+/* The first pixel of a colour from a row on, as one reads; false where there is none. */
+bool desktop_find(Desktop *desktop, const int rgb[3], int from, int *x, int *y);

@@ -73,6 +73,7 @@ static void test_curve(void **state) {
     ErrorCurve curve = {.count = 0};
     double place[2];
     curve_extend(&curve, 1, NAN);
+    curve_extend(&curve, 1, 0);
     for (double seconds = 1; seconds < 5; seconds *= 4) curve_extend(&curve, seconds, 8 / sqrt(seconds));
     curve_extend(&curve, 4.1, 4);
     curve_extend(&curve, 16, 2);

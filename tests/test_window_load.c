@@ -12,8 +12,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#define SMALL "--size 320x180"
-
 static Desktop *desktop;
 
 static int start(void **state) {
@@ -42,54 +40,24 @@ static unsigned dice(unsigned *seed, unsigned sides) {
 }
 
 static void random_event(unsigned *seed, Text *script) {
-    static const char *const keys[] = {"h",
-                                       "v",
-                                       "f",
-                                       "b",
-                                       "x",
-                                       "i",
-                                       "r",
-                                       "c",
-                                       "t",
-                                       "1",
-                                       "2",
-                                       "3",
-                                       "4",
-                                       "Up",
-                                       "Down",
-                                       "Left",
-                                       "Right",
-                                       "shift+Up",
-                                       "comma",
-                                       "period",
-                                       "minus",
-                                       "equal",
-                                       "space",
-                                       "z",
-                                       "Return",
-                                       "5",
-                                       "Tab",
-                                       "bracketleft",
-                                       "bracketright",
-                                       "w",
-                                       "a",
-                                       "s",
-                                       "d",
-                                       "e",
-                                       "q",
-                                       "ctrl+c"};
+    static const char keys[][13] = {
+        "h",     "v",      "f",     "b",     "x",     "i",      "r",    "c",           "t",
+        "p",     "1",      "2",     "3",     "4",     "5",      "z",    "w",           "a",
+        "s",     "d",      "e",     "q",     "Up",    "Down",   "Left", "Right",       "shift+Up",
+        "comma", "period", "minus", "equal", "space", "Return", "Tab",  "bracketleft", "bracketright",
+        "ctrl+c"};
     enum { KEYS = sizeof keys / sizeof *keys };
     unsigned kind = dice(seed, 10);
     if (kind < 5)
         text_print(script, " key %s", keys[dice(seed, KEYS)]);
     else if (kind < 8)
-        text_print(script, " mousemove %u %u mousedown %u mousemove %u %u mouseup %u", dice(seed, 330),
-                   dice(seed, 190), 1 + kind - 5, dice(seed, 330), dice(seed, 190), 1 + kind - 5);
+        text_print(script, " mousemove %u %u mousedown %u mousemove %u %u mouseup %u", dice(seed, 490),
+                   dice(seed, 280), 1 + kind - 5, dice(seed, 490), dice(seed, 280), 1 + kind - 5);
     else if (kind < 9)
         text_print(script, " click %u", 4 + dice(seed, 2));
     else
-        text_print(script, " search --name Edited windowsize %u %u", 1 + dice(seed, 400),
-                   1 + dice(seed, 260));
+        text_print(script, " search --name Edited windowsize %u %u", 1 + dice(seed, 600),
+                   1 + dice(seed, 400));
 }
 
 static int wished(const char *variable, int otherwise) {
@@ -103,7 +71,7 @@ static void test_storm(void **state) {
     unsigned seed = 1;
     const char *path = support_write("edited.glsl", SCENE);
     support_write("tint.glsl", "vec3 tint() { return vec3(0.5); }\n");
-    desktop_view(desktop, "'%s' " SMALL " --sun-disk", path);
+    desktop_view(desktop, "'%s' --size 480x270 --sun-disk", path);
     for (int done = 0; done < events;) {
         Text script = {0};
         for (int i = 0; i < 10 && done < events; i++, done++) random_event(&seed, &script);

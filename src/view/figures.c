@@ -6,7 +6,7 @@
 #include <string.h>
 
 void curve_extend(ErrorCurve *curve, double seconds, double percent) {
-    if (!isfinite(percent)) return;
+    if (!(percent > 0) || !isfinite(percent)) return; /* a constant picture has no error */
     bool near = curve->count && seconds < 1.05 * curve->seconds[curve->count - 1];
     if (near) return;
     if (curve->count == MOST_CURVE) { /* every other point does for the past */

@@ -62,11 +62,13 @@ static void log_frame(const View *view, double latency_s) {
     log_number("picture", view->picture.pictures);
     log_number("coarseness", side->coarseness);
     log_number("samples", (double)side->samples);
+    log_number("rests", picture_rests(&view->picture, state));
     log_number("seconds", side->seconds);
     log_number("error_percent", side->error_percent);
     log_number("paths_per_s", side->paths_per_second);
     if (state->split) {
         Scene right = view_scene(state, 1);
+        log_number("difference", state->difference ? state->difference_percent : 0);
         log_number("right_elevation", right.sun_elevation_deg);
         log_number("right_azimuth", right.sun_azimuth_deg);
         log_number("right_samples", (double)side[1].samples);
