@@ -8,7 +8,8 @@ static const ImGuiWindowFlags note_flags = ImGuiWindowFlags_NoDecoration | ImGui
 
 static ImVec2 note_size(const char *text, float most_width) {
     ImVec2 padding = ImGui::GetStyle().WindowPadding;
-    ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, most_width - 2 * padding.x);
+    /* A pixel more, as a note that just fits is no wider than its text to the last bit only. */
+    ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, most_width - 2 * padding.x + 1);
     return ImVec2(std::ceil(size.x) + 2 * padding.x, std::ceil(size.y) + 2 * padding.y);
 }
 
