@@ -3,6 +3,7 @@
 #include "desktop.h"
 
 #include "base/clock.h"
+#include "base/file.h"
 
 #include <math.h>
 #include <signal.h>
@@ -267,6 +268,32 @@ static void test_window(void **state) {
     assert_true(strchr(support_err, '\n') == support_err + strlen(support_err) - 1);
 }
 
+/* A library of one's own is watched too, whole. */
+static void test_reload_library(void **state) {
+    (void)state;
+    char command[1024];
+    Text matte = {0};
+    Error error;
+    const char *path = support_path("library/material/matte.glsl");
+    snprintf(command, sizeof command, "rm -rf '%s' && cp -r glsl '%s'", support_path("library"),
+             support_path("library"));
+    assert_int_equal(system(command), 0);
+    desktop_view(desktop, "\"$here\"/scenes/crater.glsl " SMALL " --sky uniform --glsl-dir library");
+    desktop_do(desktop, "mousemove 5 5 key h");
+    assert_true(file_read(path, STATUS_FAILURE, &matte, &error));
+    text_print(&matte, "broken\n");
+    support_write("library/material/matte.glsl", text_string(&matte));
+    desktop_expect(desktop, "\"result\": \"broken\"", "library/material/matte.glsl:");
+    desktop_do(desktop, "mousemove 6 5");
+    matte.data[matte.size - strlen("broken\n")] = 0;
+    support_write("library/material/matte.glsl", text_string(&matte));
+    desktop_expect(desktop, "\"result\": \"good\"", "");
+    text_free(&matte);
+    desktop_quit(desktop);
+    snprintf(command, sizeof command, "rm -rf '%s'", support_path("library"));
+    assert_int_equal(system(command), 0);
+}
+
 /* A side that was opened later catches up, and then both go on. */
 static void test_equal_time(void **state) {
     (void)state;
@@ -334,6 +361,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_setup_teardown(test_camera, start, stop),
         cmocka_unit_test_setup_teardown(test_panel, start, stop),
         cmocka_unit_test_setup_teardown(test_reload, start, stop),
+        cmocka_unit_test_setup_teardown(test_reload_library, start, stop),
         cmocka_unit_test_setup_teardown(test_sides, start, stop),
         cmocka_unit_test_setup_teardown(test_window, start, stop),
         cmocka_unit_test_setup_teardown(test_equal_time, start, stop),

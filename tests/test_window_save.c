@@ -124,11 +124,40 @@ static void test_save_sides(void **state) {
     image_free(&image);
 }
 
+/* The pixel under the pointer, in the plane's front: its numbers are the saved picture's, and its depth that
+ * of the plane, along the camera's axis. */
+static void test_inspect(void **state) {
+    (void)state;
+    enum { X = 200, Y = 160 };
+    static const char *const channels[] = {"pixel_red", "pixel_green", "pixel_blue"};
+    Image image;
+    Error error;
+    desktop_view(desktop, "\"$here\"/scenes/crater.glsl " SMALL " --spp 32");
+    desktop_do(desktop, "mousemove %d %d key i", X, Y);
+    desktop_expect(desktop, "\"rests\": 1", "\"pixel_x\": 200, \"pixel_y\": 160");
+    const char *path = desktop_save(desktop, "exr");
+    assert_true(image_read(&image, path, &error));
+    for (int c = 0; c < 3; c++) {
+        double saved = (double)image.rgba[4 * (Y * image.width + X) + c];
+        assert_true(fabs(desktop_number(desktop, channels[c]) - saved) < 1e-6 * saved);
+    }
+    image_free(&image);
+    assert_true(desktop_number(desktop, "pixel_samples") == 32);
+    /* Eye 2 m high, looking down by atan(1/2), 90 degrees high. */
+    double up = 1 - (Y + 0.5) / 90, sink = (1 - 2 * up) / sqrt(5);
+    assert_true(fabs(desktop_number(desktop, "pixel_depth") * sink / 2 - 1) < 0.01);
+    double albedo = desktop_number(desktop, "pixel_albedo"),
+           percent = desktop_number(desktop, "pixel_error_percent");
+    assert_true(albedo > 0.099 && albedo < 0.801 && percent > 0 && percent < 50);
+    desktop_quit(desktop);
+}
+
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_save, start, stop),
         cmocka_unit_test_setup_teardown(test_save_sides, start, stop),
+        cmocka_unit_test_setup_teardown(test_inspect, start, stop),
     };
     return cmocka_run_group_tests(tests, support_folder, support_clean);
 }

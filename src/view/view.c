@@ -43,6 +43,29 @@ static bool show(View *view, Error *error) {
     return true;
 }
 
+static void log_right(const View *view) {
+    Scene right = view_scene(&view->state, 1);
+    const SideFigures *side = &view->figures.sides[1];
+    log_number("difference", view->state.difference ? view->state.difference_percent : 0);
+    log_number("right_elevation", right.sun_elevation_deg);
+    log_number("right_azimuth", right.sun_azimuth_deg);
+    log_number("right_samples", (double)side->samples);
+    log_number("right_seconds", side->seconds);
+    log_number("right_error_percent", side->error_percent);
+}
+
+static void log_pixel(const PixelFigures *pixel) {
+    log_number("pixel_x", pixel->x);
+    log_number("pixel_y", pixel->y);
+    log_number("pixel_red", pixel->radiance[0]);
+    log_number("pixel_green", pixel->radiance[1]);
+    log_number("pixel_blue", pixel->radiance[2]);
+    log_number("pixel_samples", pixel->samples);
+    log_number("pixel_error_percent", pixel->error_percent);
+    log_number("pixel_albedo", pixel->albedo[1]);
+    log_number("pixel_depth", pixel->depth);
+}
+
 static void log_frame(const View *view, double latency_s) {
     const ViewState *state = &view->state;
     const SideFigures *side = &view->figures.sides[0];
@@ -66,15 +89,8 @@ static void log_frame(const View *view, double latency_s) {
     log_number("seconds", side->seconds);
     log_number("error_percent", side->error_percent);
     log_number("paths_per_s", side->paths_per_second);
-    if (state->split) {
-        Scene right = view_scene(state, 1);
-        log_number("difference", state->difference ? state->difference_percent : 0);
-        log_number("right_elevation", right.sun_elevation_deg);
-        log_number("right_azimuth", right.sun_azimuth_deg);
-        log_number("right_samples", (double)side[1].samples);
-        log_number("right_seconds", side[1].seconds);
-        log_number("right_error_percent", side[1].error_percent);
-    }
+    if (state->split) log_right(view);
+    if (view->figures.pixel.known) log_pixel(&view->figures.pixel);
     log_end();
 }
 
