@@ -208,11 +208,13 @@ const char *desktop_expect(Desktop *desktop, const char *words, const char *more
     return "";
 }
 
-static bool number_in(const char *line, const char *name, double *value) {
-    char key[64];
+/* In a copy of the line: strstr() and sscanf() may look for the text's end, which is far in a long log. */
+static bool number_in(const char *line, size_t length, const char *name, double *value) {
+    char key[64], copy[2048];
     snprintf(key, sizeof key, "\"%s\": ", name);
-    const char *at = strstr(line, key), *end = strchr(line, '\n');
-    return at && (!end || at < end) && sscanf(at + strlen(key), "%lf", value) == 1;
+    snprintf(copy, sizeof copy, "%.*s", (int)length, line);
+    const char *at = strstr(copy, key);
+    return at && sscanf(at + strlen(key), "%lf", value) == 1;
 }
 
 void desktop_expect_number(Desktop *desktop, const char *name, double low, double high) {
@@ -221,7 +223,8 @@ void desktop_expect_number(Desktop *desktop, const char *name, double low, doubl
         read_log(desktop);
         const char *line = text_string(&desktop->log) + desktop->news;
         for (const char *next; (next = strchr(line, '\n')); line = next + 1) {
-            if (number_in(line, name, &value) && value >= low && value <= high) return;
+            bool found = number_in(line, (size_t)(next - line), name, &value);
+            if (found && value >= low && value <= high) return;
         }
     }
     char wanted[128];
@@ -235,9 +238,10 @@ void desktop_expect_rest(Desktop *desktop, double samples) {
         const char *line = text_string(&desktop->log) + desktop->news;
         for (const char *next; (next = strchr(line, '\n')); line = next + 1) {
             double picture, coarseness, taken;
-            if (number_in(line, "picture", &picture) && picture > desktop->picture &&
-                number_in(line, "coarseness", &coarseness) && coarseness < 2 &&
-                number_in(line, "samples", &taken) && taken >= samples) {
+            size_t length = (size_t)(next - line);
+            if (number_in(line, length, "picture", &picture) && picture > desktop->picture &&
+                number_in(line, length, "coarseness", &coarseness) && coarseness < 2 &&
+                number_in(line, length, "samples", &taken) && taken >= samples) {
                 return;
             }
         }
@@ -247,8 +251,13 @@ void desktop_expect_rest(Desktop *desktop, double samples) {
 
 double desktop_number(Desktop *desktop, const char *name) {
     double value = -1e300;
-    for (const char *line = desktop_log(desktop), *next; (next = strchr(line, '\n')); line = next + 1)
-        number_in(line, name, &value);
+    const char *log = desktop_log(desktop), *end = strrchr(log, '\n');
+    while (end && end > log) {
+        const char *line = end;
+        while (line > log && line[-1] != '\n') line--;
+        if (number_in(line, (size_t)(end - line), name, &value)) break;
+        end = line > log ? line - 1 : NULL;
+    }
     return value;
 }
 
