@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 static const double rest_interval_s = 0.06; /* between pictures shown at rest, when nobody does anything */
 
@@ -32,6 +33,13 @@ typedef struct View {
 static void say_failure(View *view, const Error *error) {
     view_failure(&view->state, error->text);
     fprintf(stderr, "magichour: %s\n", error->text);
+}
+
+/* The same, once: the sun of a day that plays may be refused in every turn. */
+static void say_refusal(View *view, const Error *refusal) {
+    const Notice *notice = &view->state.notice;
+    bool said = notice->failed && strncmp(notice->text, refusal->text, sizeof notice->text - 1) == 0;
+    if (!said) say_failure(view, refusal);
 }
 
 static bool show(View *view, Error *error) {
@@ -229,7 +237,7 @@ static bool turn(View *view, Error *error) {
         overlay_build(view->overlay, state, &view->figures);
     }
     if (!picture_update(&view->picture, state, &refusal, error)) return false;
-    if (refusal.status != STATUS_DONE) say_failure(view, &refusal);
+    if (refusal.status != STATUS_DONE) say_refusal(view, &refusal);
     bool drew = false;
     if (!picture_draw(&view->picture, state, &drew, error)) return false;
     view->news |= drew;
