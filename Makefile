@@ -127,12 +127,12 @@ view:
 	$(BUILD)/magichour view scenes/crater.glsl
 
 # The window under a storm of events and edits; best with MODE=asan. And its speed on this machine.
-check-view: $(BUILD)/magichour $(BUILD)/tests/test_view
+check-view: $(BUILD)/magichour $(BUILD)/tests/test_window_load
 	MAGICHOUR=$$PWD/$< MAGICHOUR_EVENTS=1000 MAGICHOUR_RELOADS=200 \
-	LSAN_OPTIONS=suppressions=$$PWD/tests/lsan.supp:print_suppressions=0 $(BUILD)/tests/test_view test_storm
+	LSAN_OPTIONS=suppressions=$$PWD/tests/lsan.supp:print_suppressions=0 $(BUILD)/tests/test_window_load
 
-measure-view: $(BUILD)/magichour $(BUILD)/tests/test_view
-	MAGICHOUR=$$PWD/$< $(BUILD)/tests/test_view measure scenes/crater.glsl 640x360
+measure-view: $(BUILD)/magichour $(BUILD)/tests/test_window_load
+	MAGICHOUR=$$PWD/$< $(BUILD)/tests/test_window_load measure scenes/crater.glsl 640x360
 
 lint:
 	tools/deps.sh build lint

@@ -15,6 +15,8 @@
 /* Long, for slow machines and sanitizers; nothing waits as long as that unless it fails. */
 static const double patience_s = 30;
 
+enum { SCREEN_WIDTH = 800, SCREEN_HEIGHT = 600 };
+
 struct Desktop {
     pid_t server, program;
     int number;
@@ -37,7 +39,8 @@ static void pause_ms(long ms) {
 /* Xvfb says which number it took. */
 static int start_server(Desktop *desktop, const char *folder) {
     int ends[2];
-    char number[16] = "", descriptor[16];
+    char number[16] = "", descriptor[16], screen[32];
+    snprintf(screen, sizeof screen, "%dx%dx24", SCREEN_WIDTH, SCREEN_HEIGHT);
     if (pipe(ends) != 0) return -1;
     desktop->server = fork();
     if (desktop->server == 0) {
@@ -45,7 +48,7 @@ static int start_server(Desktop *desktop, const char *folder) {
         dup2(nothing, 0), dup2(nothing, 1), dup2(nothing, 2);
         close(ends[0]);
         snprintf(descriptor, sizeof descriptor, "%d", ends[1]);
-        execlp("Xvfb", "Xvfb", "-displayfd", descriptor, "-screen", "0", "800x600x24", "-fbdir", folder,
+        execlp("Xvfb", "Xvfb", "-displayfd", descriptor, "-screen", "0", screen, "-fbdir", folder,
                "-nolisten", "tcp", (char *)NULL);
         _exit(127);
     }
@@ -136,6 +139,13 @@ int desktop_end(Desktop *desktop) {
     return -1;
 }
 
+void desktop_quit(Desktop *desktop) {
+    desktop_do(desktop, "key Escape");
+    assert_int_equal(desktop_end(desktop), 0);
+    assert_non_null(strstr(desktop_log(desktop), "\"event\": \"end\""));
+    assert_null(strstr(desktop_log(desktop), "OpenGL error"));
+}
+
 void desktop_signal(Desktop *desktop, int signal) {
     kill(desktop->program, signal);
 }
@@ -198,11 +208,13 @@ const char *desktop_expect(Desktop *desktop, const char *words, const char *more
     return "";
 }
 
-static bool number_in(const char *line, const char *name, double *value) {
-    char key[64];
+/* In a copy of the line: strstr() and sscanf() may look for the text's end, which is far in a long log. */
+static bool number_in(const char *line, size_t length, const char *name, double *value) {
+    char key[64], copy[2048];
     snprintf(key, sizeof key, "\"%s\": ", name);
-    const char *at = strstr(line, key), *end = strchr(line, '\n');
-    return at && (!end || at < end) && sscanf(at + strlen(key), "%lf", value) == 1;
+    snprintf(copy, sizeof copy, "%.*s", (int)length, line);
+    const char *at = strstr(copy, key);
+    return at && sscanf(at + strlen(key), "%lf", value) == 1;
 }
 
 void desktop_expect_number(Desktop *desktop, const char *name, double low, double high) {
@@ -211,7 +223,8 @@ void desktop_expect_number(Desktop *desktop, const char *name, double low, doubl
         read_log(desktop);
         const char *line = text_string(&desktop->log) + desktop->news;
         for (const char *next; (next = strchr(line, '\n')); line = next + 1) {
-            if (number_in(line, name, &value) && value >= low && value <= high) return;
+            bool found = number_in(line, (size_t)(next - line), name, &value);
+            if (found && value >= low && value <= high) return;
         }
     }
     char wanted[128];
@@ -225,9 +238,10 @@ void desktop_expect_rest(Desktop *desktop, double samples) {
         const char *line = text_string(&desktop->log) + desktop->news;
         for (const char *next; (next = strchr(line, '\n')); line = next + 1) {
             double picture, coarseness, taken;
-            if (number_in(line, "picture", &picture) && picture > desktop->picture &&
-                number_in(line, "coarseness", &coarseness) && coarseness < 2 &&
-                number_in(line, "samples", &taken) && taken >= samples) {
+            size_t length = (size_t)(next - line);
+            if (number_in(line, length, "picture", &picture) && picture > desktop->picture &&
+                number_in(line, length, "coarseness", &coarseness) && coarseness < 2 &&
+                number_in(line, length, "samples", &taken) && taken >= samples) {
                 return;
             }
         }
@@ -237,8 +251,13 @@ void desktop_expect_rest(Desktop *desktop, double samples) {
 
 double desktop_number(Desktop *desktop, const char *name) {
     double value = -1e300;
-    for (const char *line = desktop_log(desktop), *next; (next = strchr(line, '\n')); line = next + 1)
-        number_in(line, name, &value);
+    const char *log = desktop_log(desktop), *end = strrchr(log, '\n');
+    while (end && end > log) {
+        const char *line = end;
+        while (line > log && line[-1] != '\n') line--;
+        if (number_in(line, (size_t)(end - line), name, &value)) break;
+        end = line > log ? line - 1 : NULL;
+    }
     return value;
 }
 
@@ -279,8 +298,31 @@ void desktop_mean(Desktop *desktop, int x, int y, int width, int height, double 
     free(screen);
 }
 
+bool desktop_find(Desktop *desktop, const int rgb[3], int from, int *x, int *y) {
+    (void)desktop;
+    int stride;
+    bool found = false;
+    unsigned char *screen = read_screen(&stride);
+    for (int at = from * stride; at < SCREEN_HEIGHT * stride && !found; at += 4) {
+        found = screen[at] == rgb[2] && screen[at + 1] == rgb[1] && screen[at + 2] == rgb[0];
+        *x = at % stride / 4;
+        *y = at / stride;
+    }
+    free(screen);
+    return found;
+}
+
 void desktop_pixel(Desktop *desktop, int x, int y, int rgb[3]) {
     double mean[3];
     desktop_mean(desktop, x, y, 1, 1, mean);
     for (int c = 0; c < 3; c++) rgb[c] = (int)mean[c];
+}
+
+const char *desktop_save(Desktop *desktop, const char *extension) {
+    char name[64], file[80];
+    desktop_do(desktop, "key p");
+    const char *line = desktop_expect(desktop, "\"event\": \"save\"", "\"message\": \"\"");
+    assert_int_equal(sscanf(strstr(line, "\"name\": "), "\"name\": \"%63[^\"]", name), 1);
+    snprintf(file, sizeof file, "%s.%s", name, extension);
+    return support_path(file);
 }

@@ -16,6 +16,13 @@ void desktop_view(Desktop *desktop, const char *format, ...) __attribute__((form
 
 /* Waits until the program has ended and gives its exit status. */
 int desktop_end(Desktop *desktop);
+
+/* Closes the window by a key: it must end well, and without an error of OpenGL's. */
+void desktop_quit(Desktop *desktop);
+
+/* Has the picture that is shown saved, and gives the path of one of its files, with that extension. */
+const char *desktop_save(Desktop *desktop, const char *extension);
+
 void desktop_signal(Desktop *desktop, int signal);
 
 /* `xdotool ARGUMENTS`; what the log says from here on is news to the functions below. */
@@ -42,3 +49,6 @@ const char *desktop_log(Desktop *desktop);
 /* The screen's pixels, 0 to 255: one, and the mean over a rectangle. */
 void desktop_pixel(Desktop *desktop, int x, int y, int rgb[3]);
 void desktop_mean(Desktop *desktop, int x, int y, int width, int height, double rgb[3]);
+
+/* The first pixel of a colour from a row on, as one reads; false where there is none. */
+bool desktop_find(Desktop *desktop, const int rgb[3], int from, int *x, int *y);

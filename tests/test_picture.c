@@ -347,6 +347,95 @@ static void test_cuts_agree(void **state) {
     context_close(&context);
 }
 
+/* Looks along +z at a sun of azimuth 0. */
+#define SUNWARD                                                                                              \
+    "//@ camera eye 0 1 0 target 0 1 1\n#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n"   \
+    "void scene_intersect(Ray ray, INOUT(Hit) hit) { hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit); }\n"
+
+static RenderParams read_sunward(Scene *scene, const char *path, double azimuth_deg) {
+    Error error;
+    if (!scene_read(scene, path, &error)) fail_msg("%s", error.text);
+    scene->sun_elevation_deg = 5;
+    scene->sun_azimuth_deg = azimuth_deg;
+    return (RenderParams){.scene = scene,
+                          .library = "glsl",
+                          .sky = "uniform",
+                          .sun_disk = "sampled",
+                          .width = 48,
+                          .height = 32};
+}
+
+static Image take_picture(Renderer *renderer) {
+    Image image;
+    FilmCount count;
+    Error error;
+    if (!renderer_pass(renderer, 16, NULL, &error) || !film_read(&renderer->film, &image, &count, &error))
+        fail_msg("%s", error.text);
+    return image;
+}
+
+/* The sun comes into the picture after a file was broken: the program for its image is of the text of before.
+ */
+static void test_image_of_broken_scene(void **state) {
+    (void)state;
+    Context context;
+    Renderer renderer, other;
+    Scene scene;
+    Error error;
+    support_open(&context);
+    support_write("tint.glsl", "vec3 tint() { return vec3(0.5); }\n");
+    const char *path =
+        support_write("sunward.glsl", SUNWARD "#include \"tint.glsl\"\n"
+                                              "Material scene_material(Hit hit) { return matte(tint()); }\n");
+    RenderParams params = read_sunward(&scene, path, 0);
+    if (!renderer_create(&other, &context, &params, &error)) fail_msg("%s", error.text);
+    assert_true(other.sun.rectangle_count > 0);
+    Image expected = take_picture(&other);
+    scene.sun_azimuth_deg = 180;
+    if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
+    assert_int_equal(renderer.sun.rectangle_count, 0);
+    scene.sun_azimuth_deg = 0;
+    support_write("tint.glsl", "vec3 tint() { return vec3(0.5, ); }\n");
+    if (!renderer_restart(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
+    Image image = take_picture(&renderer);
+    assert_memory_equal(image.rgba, expected.rgba, 4 * 48 * 32 * sizeof(float));
+    image_free(&image);
+    image_free(&expected);
+    renderer_destroy(&other);
+    renderer_destroy(&renderer);
+    scene_destroy(&scene);
+    context_close(&context);
+}
+
+/* Where only the program for the sun's image does not compile, the picture without it stays. */
+static void test_refused_restart(void **state) {
+    (void)state;
+    Context context;
+    Renderer renderer;
+    Scene scene;
+    Error error;
+    support_open(&context);
+    const char *path = support_write("clash.glsl", SUNWARD
+                                     "bool sun_image_open(Ray ray) { return true; }\n"
+                                     "Material scene_material(Hit hit) { return matte(vec3(0.5)); }\n");
+    RenderParams params = read_sunward(&scene, path, 180);
+    if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
+    Image expected = take_picture(&renderer);
+    scene.sun_azimuth_deg = 0;
+    params.width = 40;
+    assert_false(renderer_restart(&renderer, &context, &params, &error));
+    assert_int_equal(error.status, STATUS_SCENE);
+    assert_true(renderer.film.samples == 16 && renderer.film.width == 48);
+    film_reset(&renderer.film);
+    Image image = take_picture(&renderer);
+    assert_memory_equal(image.rgba, expected.rgba, 4 * 48 * 32 * sizeof(float));
+    image_free(&image);
+    image_free(&expected);
+    renderer_destroy(&renderer);
+    scene_destroy(&scene);
+    context_close(&context);
+}
+
 /* Samples that are not finite are left out, counted and told. */
 static void test_nonfinite(void **state) {
     (void)state;
@@ -371,7 +460,8 @@ static void test_nonfinite(void **state) {
     image_free(&image);
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+    if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_references),
         cmocka_unit_test(test_sunlit_reference),
@@ -384,6 +474,8 @@ int main(void) {
         cmocka_unit_test(test_second_driver),
         cmocka_unit_test(test_backends_agree),
         cmocka_unit_test(test_cuts_agree),
+        cmocka_unit_test(test_image_of_broken_scene),
+        cmocka_unit_test(test_refused_restart),
         cmocka_unit_test(test_nonfinite),
     };
     return cmocka_run_group_tests_name("picture", tests, support_folder, support_clean);

@@ -15,18 +15,31 @@ bool renderer_flatten(const RenderParams *params, GlslSource *source, Error *err
     return plan_make(&plan, params, error) && plan_flatten(&plan, params, false, source, error);
 }
 
-static bool create_program(Program *program, const Context *context, const Plan *plan,
-                           const RenderParams *params, bool image, Text *files, Error *error) {
-    GlslSource source;
-    if (!plan_flatten(plan, params, image, &source, error)) return false;
-    bool ok = program_create(program, &context->gl, &source, error);
+static bool compile(Program *program, const Context *context, const GlslSource *source,
+                    const RenderParams *params, Error *error) {
+    if (program_create(program, &context->gl, source, error)) return true;
     /* A scene that breaks off shows its fault only in the text behind it. */
-    if (!ok && strncmp(error->text, params->library, strlen(params->library)) == 0)
+    if (strncmp(error->text, params->library, strlen(params->library)) == 0)
         error_prefix(error, "%s: ", params->scene->path);
-    for (int i = 0; files && i < source.file_count; i++)
-        text_print(files, "%s%s", i ? " " : "", source.files[i]);
+    return false;
+}
+
+static bool create_program(Renderer *renderer, const Context *context, const Plan *plan,
+                           const RenderParams *params, Error *error) {
+    GlslSource source;
+    if (!plan_flatten(plan, params, false, &source, error)) return false;
+    bool ok = compile(&renderer->program, context, &source, params, error);
+    for (int i = 0; i < source.file_count; i++)
+        text_print(&renderer->source_files, "%s%s", i ? " " : "", source.files[i]);
     glsl_source_destroy(&source);
     return ok;
+}
+
+/* The program for the image of this sun, if it has one in the picture and is the first that has. */
+static bool serve_image(Renderer *renderer, const Context *context, const Sun *sun,
+                        const RenderParams *params, Error *error) {
+    return !sun->rectangle_count || renderer->image_program.id ||
+           compile(&renderer->image_program, context, &renderer->image_source, params, error);
 }
 
 void renderer_set_parameters(const Program *program, const Scene *scene) {
@@ -83,15 +96,14 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
     const Scene *scene = params->scene;
     const Camera *camera = &renderer->camera;
     renderer->parts = (params->variance ? FILM_SCATTER : 0U) | (plan->needs.search ? FILM_SEARCH : 0U);
-    if (!create_program(&renderer->program, context, plan, params, false, &renderer->source_files, error) ||
+    bool image = strcmp(plan->sun.method->name, "sampled") == 0;
+    if (!create_program(renderer, context, plan, params, error) ||
+        (image && !plan_flatten(plan, params, true, &renderer->image_source, error)) ||
         !film_create(&renderer->film, context, camera->width, camera->height, renderer->parts, error) ||
         !sky_create(&renderer->sky, context, params->library, &plan->sky, &scene->atmosphere, error) ||
         !sun_create(&renderer->sun, context, &plan->sun, scene, camera, error) ||
-        !spheres_create(&renderer->spheres, context, params->library, scene, error)) {
-        return false;
-    }
-    if (renderer->sun.rectangle_count &&
-        !create_program(&renderer->image_program, context, plan, params, true, NULL, error)) {
+        !spheres_create(&renderer->spheres, context, params->library, scene, error) ||
+        !serve_image(renderer, context, &renderer->sun, params, error)) {
         return false;
     }
     return create_light(renderer, context, params, plan, error);
@@ -159,16 +171,18 @@ static bool recreate(Renderer *renderer, const Context *context, const RenderPar
 }
 
 /* An empty film of the camera's size. */
-static bool clear_film(Renderer *renderer, const Context *context, Error *error) {
-    const Camera *camera = &renderer->camera;
+static bool clear_film(Renderer *renderer, const Context *context, const Camera *camera, Error *error) {
     Film *film = &renderer->film;
     if (film->target.gl && film->width == camera->width && film->height == camera->height &&
         film->parts == renderer->parts) {
         film_reset(film);
         return true;
     }
+    Film next;
+    if (!film_create(&next, context, camera->width, camera->height, renderer->parts, error)) return false;
     film_destroy(film);
-    return film_create(film, context, camera->width, camera->height, renderer->parts, error);
+    *film = next;
+    return true;
 }
 
 /* Spheres that the scene makes itself follow its parameters, and its time. */
@@ -181,18 +195,6 @@ static bool refill_spheres(Renderer *renderer, const Scene *scene, Error *error)
     return true;
 }
 
-/* The sun as it stands now, and the program for its image where there is one for the first time. */
-static bool move_sun(Renderer *renderer, const Context *context, const Plan *plan, const RenderParams *params,
-                     Error *error) {
-    Plan whole;
-    sun_destroy(&renderer->sun);
-    if (!sun_create(&renderer->sun, context, &plan->sun, params->scene, &renderer->camera, error))
-        return false;
-    return !renderer->sun.rectangle_count || renderer->image_program.id ||
-           (plan_make(&whole, params, error) &&
-            create_program(&renderer->image_program, context, &whole, params, true, NULL, error));
-}
-
 bool renderer_restart(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
     const Scene *scene = params->scene;
     int width = plan_width(params), height = plan_height(params);
@@ -202,13 +204,21 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
         return false;
     }
     if (!compiled_for(renderer, &plan, params)) return recreate(renderer, context, params, error);
-    if (!refill_spheres(renderer, scene, error)) return false;
-    renderer->camera = camera_of(scene, width, height);
+    Camera camera = camera_of(scene, width, height);
+    Sun sun;
+    if (!sun_create(&sun, context, &plan.sun, scene, &camera, error)) return false;
+    if (!serve_image(renderer, context, &sun, params, error) || !refill_spheres(renderer, scene, error) ||
+        !clear_film(renderer, context, &camera, error)) {
+        sun_destroy(&sun);
+        return false;
+    }
+    sun_destroy(&renderer->sun);
+    renderer->sun = sun;
+    renderer->camera = camera;
     renderer->sky_bias_percent = bias_sky_percent(&plan.sky, scene->sun_elevation_deg, &scene->atmosphere);
     renderer->seed = params->seed;
     renderer->row = 0;
-    return clear_film(renderer, context, error) && move_sun(renderer, context, &plan, params, error) &&
-           renderer_use(renderer, scene, error);
+    return renderer_use(renderer, scene, error);
 }
 
 void renderer_destroy(Renderer *renderer) {
@@ -221,6 +231,7 @@ void renderer_destroy(Renderer *renderer) {
     film_destroy(&renderer->film);
     program_destroy(&renderer->program);
     program_destroy(&renderer->image_program);
+    glsl_source_destroy(&renderer->image_source);
     text_free(&renderer->source_files);
     *renderer = (Renderer){0};
 }

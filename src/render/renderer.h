@@ -18,6 +18,8 @@ typedef struct Renderer {
     Program program;
     Program
         image_program; /* the same with the sun's own image, for the pixels that may hold it; may be empty */
+    GlslSource image_source; /* its text, of the same time as the other's: the files may change before the
+                                image is in the picture */
     Film film;
     Camera camera;
     Sky sky;

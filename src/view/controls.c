@@ -51,7 +51,8 @@ static void turn_sun(ViewState *state, int side, double elevation_deg, double az
 
 /* "-4", "-4 90" or "-4, 90". */
 static void end_prompt(ViewState *state) {
-    double elevation, azimuth = state->scene.sun_azimuth_deg;
+    Scene scene = view_scene(state, state->prompt_side);
+    double elevation, azimuth = scene.sun_azimuth_deg;
     char spaced[sizeof state->prompt], words[2][32] = {"", ""}, more[2];
     snprintf(spaced, sizeof spaced, "%s", state->prompt);
     for (char *comma = spaced; (comma = strchr(comma, ','));) *comma = ' ';
@@ -60,13 +61,20 @@ static void end_prompt(ViewState *state) {
     bool good = (count == 1 || count == 2) && number_parse(words[0], &elevation) && fabs(elevation) <= 90 &&
                 (count == 1 || (number_parse(words[1], &azimuth) && fabs(azimuth) <= 360));
     if (good) {
-        view_set_sun(state, 0, elevation, azimuth);
-        view_notice(state, "sun %g %g", state->scene.sun_elevation_deg, state->scene.sun_azimuth_deg);
+        view_set_sun(state, state->prompt_side, elevation, azimuth);
+        scene = view_scene(state, state->prompt_side);
+        view_notice(state, "sun %g %g", scene.sun_elevation_deg, scene.sun_azimuth_deg);
     } else if (count > 0) {
         Error error;
         error_set(&error, STATUS_USAGE, "'%s' is not ELEVATION [AZIMUTH] in degrees", state->prompt);
         view_failure(state, error.text);
     }
+}
+
+static void open_prompt(ViewState *state, int side) {
+    state->prompting = true;
+    state->prompt_side = side;
+    state->prompt[0] = 0;
 }
 
 static void prompt_text(ViewState *state, unsigned codepoint) {
@@ -160,13 +168,12 @@ static void pressed(ViewState *state, int key, bool shift, int width) {
 }
 
 /* Keys that act once. */
-static void pressed_once(ViewState *state, int key) {
+static void pressed_once(ViewState *state, int key, int width) {
     if (key >= GLFW_KEY_1 && key <= GLFW_KEY_4) view_choose_time(state, key - GLFW_KEY_1);
     switch (key) {
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:
-        state->prompting = true;
-        state->prompt[0] = 0;
+        open_prompt(state, side_at(state, state->pointer[0], width));
         break;
     case GLFW_KEY_T:
         toggle_day(state);
@@ -233,7 +240,7 @@ static void on_key(Controls *controls, ViewState *state, const WindowEvent *even
         pressed(state, event->key, event->modifiers & GLFW_MOD_SHIFT, width);
         if (event->action != GLFW_PRESS) return;
         hold(controls, state, event->key, true);
-        pressed_once(state, event->key);
+        pressed_once(state, event->key, width);
     } else if (event->action == GLFW_PRESS && event->key == GLFW_KEY_C) {
         state->wishes.copy = true;
     }

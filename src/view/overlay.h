@@ -1,4 +1,4 @@
-/* The panel over the picture, by Dear ImGui: the one part that is C++, behind this header. */
+/* The panel and the notes over the picture, by Dear ImGui: the one part that is C++, behind this header. */
 #pragma once
 
 #ifdef __cplusplus

@@ -164,21 +164,6 @@ static bool estimate(Pane *pane, Error *error) {
     return true;
 }
 
-static void extend_curve(ErrorCurve *curve, double seconds, double percent) {
-    if (!isfinite(percent)) return;
-    bool near = curve->count && seconds < 1.05 * curve->seconds[curve->count - 1];
-    if (near) return;
-    if (curve->count == MOST_CURVE) { /* every other point does for the past */
-        for (int i = 0; i < MOST_CURVE / 2; i++) {
-            curve->seconds[i] = curve->seconds[2 * i];
-            curve->percent[i] = curve->percent[2 * i];
-        }
-        curve->count = MOST_CURVE / 2;
-    }
-    curve->seconds[curve->count] = seconds;
-    curve->percent[curve->count++] = percent;
-}
-
 /* A program's first draw compiles it and says nothing about its speed. */
 static void measure(Pane *pane, double rate) {
     bool first = pane->measured != pane->renderer.program.id;
@@ -206,6 +191,6 @@ bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
     bool committed = !pane->preview_samples && film->samples > before;
     if (!committed) return true;
     if (!estimate(pane, error)) return false;
-    extend_curve(&pane->curve, pane->seconds, pane->error_percent);
+    curve_extend(&pane->curve, pane->seconds, pane->error_percent);
     return true;
 }

@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const double moving_s = 0.15;        /* that long after a change it still moves */
@@ -96,6 +97,14 @@ static bool draw_toy(Picture *picture, const ViewState *state, bool *drew, Error
     return toy_draw(&picture->toy, rest_budget_s, state->clock_seconds, mouse, window_calls, error);
 }
 
+/* Two sides at rest have the same time, so that a side which was opened or changed later catches up. */
+static bool is_ahead(const Picture *picture, const ViewState *state, int side) {
+    const Pane *pane = &picture->panes[side], *other = &picture->panes[1 - side];
+    PaneParams params = pane_params(picture, state, 1 - side, NULL);
+    if (!state->split || pane->preview_samples || other->preview_samples) return false;
+    return pane->seconds > other->seconds && !pane_rests(other, &params);
+}
+
 bool picture_draw(Picture *picture, const ViewState *state, bool *drew, Error *error) {
     if (is_toy(picture)) return draw_toy(picture, state, drew, error);
     for (int i = 0; i < side_count(state); i++) {
@@ -103,6 +112,7 @@ bool picture_draw(Picture *picture, const ViewState *state, bool *drew, Error *e
         PaneParams params = pane_params(picture, state, i, &scene);
         Pane *pane = &picture->panes[i];
         *drew |= !pane_rests(pane, &params);
+        if (is_ahead(picture, state, i)) continue;
         if (!pane_draw(pane, &params, error)) return false;
     }
     return true;
@@ -169,6 +179,12 @@ bool picture_reload(Picture *picture, ViewState *state, Error *error) {
     return true;
 }
 
+static void watch_spheres(Watch *watch, const Scene *scene) {
+    char *path = scene_sphere_path(scene);
+    watch_add_file(watch, path);
+    free(path);
+}
+
 void picture_watch(Picture *picture, const ViewState *state, Watch *watch) {
     Scene scene = state->scene;
     const MethodNames *methods = &state->methods[0];
@@ -184,6 +200,7 @@ void picture_watch(Picture *picture, const ViewState *state, Watch *watch) {
                     : renderer_flatten(&params, &source, &error);
     watch_add_file(watch, picture->params->path);
     if (read) watch_add(watch, params.library, &source);
+    if (scene.spheres[0] && scene_sphere_count(&scene) < 0) watch_spheres(watch, &scene);
     picture->wants_time = read && !toy && glsl_source_mentions(&source, "iTime");
     picture->wants_mouse = read && !toy && glsl_source_mentions(&source, "iMouse");
     glsl_source_destroy(&source);
@@ -196,29 +213,37 @@ static DisplaySide display_side(const Pane *pane) {
     return (DisplaySide){&pane->kept, film, pane->renderer.row};
 }
 
+/* Radiance at the ends of the false colours, 0 where they are not shown. */
+static double difference_shown(const Picture *picture, const ViewState *state) {
+    double mean = picture->panes[0].mean;
+    return state->difference ? state->difference_percent / 100 * (mean > 0 ? mean : 1) : 0;
+}
+
 DisplayParams picture_display(const Picture *picture, const ViewState *state) {
     DisplayParams params = {.width = picture->width,
                             .height = picture->height,
                             .divider = state->divider,
                             .exposure_ev = state->scene.exposure_ev};
-    double mean = picture->panes[0].mean;
     if (is_toy(picture)) {
         params.raw = toy_texture(&picture->toy);
         return params;
     }
     for (int i = 0; i < side_count(state); i++) params.sides[i] = display_side(&picture->panes[i]);
-    if (state->difference) params.difference = state->difference_percent / 100 * (mean > 0 ? mean : 1);
+    params.difference = difference_shown(picture, state);
     return params;
 }
 
 static void fill_side(SideFigures *figures, const Pane *pane) {
     const Renderer *renderer = &pane->renderer;
     if (!renderer->gl) return;
-    snprintf(figures->methods, sizeof figures->methods, "%s, %s, %s, disk %s", renderer->sky.choice.text,
-             renderer->light.text, renderer->sequence.text, renderer->sun_disk.text);
+    const char *disk = renderer->sun_disk.text;
+    bool has_disk = strcmp(disk, "off") != 0;
+    snprintf(figures->methods, sizeof figures->methods, "%s, %s, %s%s%s", renderer->sky.choice.text,
+             renderer->light.text, renderer->sequence.text, has_disk ? ", disk " : "", has_disk ? disk : "");
     figures->samples = renderer->film.samples;
     figures->error_percent = pane->error_percent;
-    figures->paths_per_second = pane->paths_per_second;
+    bool preview = pane->preview_samples && pane->preview_rate > 0;
+    figures->paths_per_second = preview ? pane->preview_rate : pane->paths_per_second;
     figures->seconds = pane->seconds;
     figures->coarseness = pane->preview_samples ? pane->coarseness : 1;
     figures->curve = pane->curve;
@@ -229,11 +254,12 @@ static bool fill_pixel(Picture *picture, const ViewState *state, PixelFigures *p
     int side = state->split && state->pointer[0] > state->divider * picture->width ? 1 : 0;
     const Pane *pane = &picture->panes[side];
     pixel->known = false;
-    if (!state->inspect || pane->preview_samples || !pane->renderer.gl) return true;
+    if (!state->inspect || !state->overlay || pane->preview_samples || !pane->renderer.gl) return true;
     RenderParams params = {.scene = &state->scene, .library = picture->params->library};
-    return inspect_pixel(&picture->inspect, picture->context, &params, &pane->renderer,
-                         (int)floor(state->pointer[0]), (int)floor(state->pointer[1]), pixel, error) ||
-           view_is_refusal(error);
+    bool ok = inspect_pixel(&picture->inspect, picture->context, &params, &pane->renderer,
+                            (int)floor(state->pointer[0]), (int)floor(state->pointer[1]), pixel, error);
+    pixel->place = state->split ? 1 + side : 0;
+    return ok || view_is_refusal(error);
 }
 
 bool picture_figures(Picture *picture, const ViewState *state, ViewFigures *figures, Error *error) {
@@ -261,6 +287,7 @@ bool picture_is_whole(const Picture *picture, const ViewState *state) {
 bool picture_save(const Picture *picture, const ViewState *state, const char *name, bool exr, Error *error) {
     SaveParams params = {.sides = {&picture->panes[0], state->split ? &picture->panes[1] : NULL},
                          .divider = state->divider,
+                         .difference = difference_shown(picture, state),
                          .scene = &state->scene,
                          .context = picture->context,
                          .max_hits = picture->params->max_hits};

@@ -44,7 +44,7 @@ bool picture_rests(const Picture *picture, const ViewState *state);
 /* Reads the scene's file again. What was set in the window stays; a file that is broken changes nothing. */
 MUST_CHECK bool picture_reload(Picture *picture, ViewState *state, Error *error);
 
-/* Adds the files that it is made of. */
+/* Adds the files that it is made of, rows of spheres among them. */
 void picture_watch(Picture *picture, const ViewState *state, Watch *watch);
 
 DisplayParams picture_display(const Picture *picture, const ViewState *state);

@@ -29,21 +29,33 @@ static void add_layer(Image *image, const char *name, const Image *side) {
     for (size_t i = 0; i < values; i++) data[i] = side->rgba[i / 3 * 4 + i % 3];
 }
 
-/* Puts the second side right of the divider, and both as layers. */
+static void put_right(Image *image, const Image *right, int from) {
+    for (int y = 0; y < image->height && from < image->width; y++) {
+        size_t at = 4 * ((size_t)y * (size_t)image->width + (size_t)from);
+        memcpy(image->rgba + at, right->rgba + at, 4 * (size_t)(image->width - from) * sizeof *image->rgba);
+    }
+}
+
+static void subtract(Image *image, const Image *right) {
+    size_t values = 4 * (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; i < values; i++) {
+        if (i % 4 < 3) image->rgba[i] -= right->rgba[i];
+    }
+}
+
+/* Puts the second side right of the divider, or their difference everywhere, and both as layers. */
 static bool join(const SaveParams *params, Image *image, Error *error) {
     Image second;
     FilmCount count;
     if (!params->sides[1]) return true;
     if (!film_read(&params->sides[1]->renderer.film, &second, &count, error)) return false;
     if (second.width == image->width && second.height == image->height) {
-        int from = (int)round(params->divider * image->width);
         add_layer(image, "left", image);
         add_layer(image, "right", &second);
-        for (int y = 0; y < image->height && from < image->width; y++) {
-            size_t at = 4 * ((size_t)y * (size_t)image->width + (size_t)from);
-            memcpy(image->rgba + at, second.rgba + at,
-                   4 * (size_t)(image->width - from) * sizeof *image->rgba);
-        }
+        if (params->difference > 0)
+            subtract(image, &second);
+        else
+            put_right(image, &second, (int)round(params->divider * image->width));
     }
     image_free(&second);
     return true;
@@ -66,17 +78,35 @@ static void describe(const SaveParams *params, const FilmCount *count, Attribute
                       "sky %s, light %s, sequence %s, sun elevation %.9g azimuth %.9g",
                       right->sky.choice.text, right->light.text, right->sequence.text,
                       params->sides[1]->scene.sun_elevation_deg, params->sides[1]->scene.sun_azimuth_deg);
+        if (params->difference > 0)
+            attribute_add(list, "magichour.difference", "left - right, colours end at %.9g",
+                          params->difference);
     }
     text_free(&command);
 }
 
-static bool write_files(const Image *image, const ImageWriteParams *params, const char *name, bool exr,
-                        Error *error) {
+static bool write_file(const Image *image, const ImageWriteParams *params, const char *name,
+                       const char *extension, Error *error) {
     char path[4200];
-    snprintf(path, sizeof path, "%s.exr", name);
-    if (exr && !image_write(image, path, params, error)) return false;
-    snprintf(path, sizeof path, "%s.png", name);
+    snprintf(path, sizeof path, "%s.%s", name, extension);
     return image_write(image, path, params, error);
+}
+
+/* IEC 61966-2-1. */
+static float linear_from_srgb(float v) {
+    v = fminf(fmaxf(v, 0.0f), 1.0f);
+    return v <= 0.04045f ? v / 12.92f : powf((v + 0.055f) / 1.055f, 2.4f);
+}
+
+/* The colours of glsl/pass/shown_difference.glsl, in linear light. */
+static void paint_difference(Image *image, double end) {
+    static const float middle = 0.865f, blue[3] = {0.230f, 0.299f, 0.754f}, red[3] = {0.706f, 0.016f, 0.150f};
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; i < pixels; i++) {
+        float *rgb = image->rgba + 4 * i, t = (rgb[0] + rgb[1] + rgb[2]) / (3 * (float)end);
+        for (int c = 0; c < 3; c++)
+            rgb[c] = linear_from_srgb(middle + ((t < 0 ? blue : red)[c] - middle) * fminf(fabsf(t), 1.0f));
+    }
 }
 
 bool save_picture(const SaveParams *params, const char *name, bool exr, Error *error) {
@@ -86,16 +116,15 @@ bool save_picture(const SaveParams *params, const char *name, bool exr, Error *e
     FilmCount count;
     if (!film_read(&params->sides[0]->renderer.film, &image, &count, error)) return false;
     describe(params, &count, &attributes);
-    bool ok = join(params, &image, error) && write_files(&image, &write, name, exr, error);
+    bool ok = join(params, &image, error) && (!exr || write_file(&image, &write, name, "exr", error));
+    if (ok && params->difference > 0) {
+        paint_difference(&image, params->difference);
+        write = (ImageWriteParams){.tone = TONE_NONE, .attributes = &attributes};
+    }
+    ok = ok && write_file(&image, &write, name, "png", error);
     attribute_list_free(&attributes);
     image_free(&image);
     return ok;
-}
-
-/* IEC 61966-2-1. */
-static float linear_from_srgb(float v) {
-    v = fminf(fmaxf(v, 0.0f), 1.0f);
-    return v <= 0.04045f ? v / 12.92f : powf((v + 0.055f) / 1.055f, 2.4f);
 }
 
 bool save_texture(const Target *target, const char *path, const char *name, bool exr, Error *error) {
@@ -113,7 +142,8 @@ bool save_texture(const Target *target, const char *path, const char *name, bool
     }
     attribute_add(&attributes, "magichour.version", "%s", MAGICHOUR_VERSION);
     attribute_add(&attributes, "magichour.scene", "%s", path);
-    ok = ok && write_files(&image, &write, name, exr, error);
+    ok = ok && (!exr || write_file(&image, &write, name, "exr", error)) &&
+         write_file(&image, &write, name, "png", error);
     attribute_list_free(&attributes);
     image_free(&image);
     free(texels);

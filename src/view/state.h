@@ -44,7 +44,8 @@ typedef struct ViewState {
     double hours_per_second;
     bool clock_running; /* iTime */
     double clock_seconds;
-    bool prompting; /* for the sun's place */
+    bool prompting;  /* for the sun's place ... */
+    int prompt_side; /* ... of that side */
     char prompt[64];
     double pointer[2], dragged[2],
         pressed[2]; /* pixels from the top left corner: now, while the left button was last down, and */

@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 static const double rest_interval_s = 0.06; /* between pictures shown at rest, when nobody does anything */
 
@@ -34,6 +35,13 @@ static void say_failure(View *view, const Error *error) {
     fprintf(stderr, "magichour: %s\n", error->text);
 }
 
+/* The same, once: the sun of a day that plays may be refused in every turn. */
+static void say_refusal(View *view, const Error *refusal) {
+    const Notice *notice = &view->state.notice;
+    bool said = notice->failed && strncmp(notice->text, refusal->text, sizeof notice->text - 1) == 0;
+    if (!said) say_failure(view, refusal);
+}
+
 static bool show(View *view, Error *error) {
     DisplayParams params = picture_display(&view->picture, &view->state);
     if (!display_draw(&view->display, &params, error)) return false;
@@ -41,6 +49,29 @@ static bool show(View *view, Error *error) {
     if (!gl_check(&view->window.context.gl, "drawing the overlay", error)) return false;
     window_present(&view->window);
     return true;
+}
+
+static void log_right(const View *view) {
+    Scene right = view_scene(&view->state, 1);
+    const SideFigures *side = &view->figures.sides[1];
+    log_number("difference", view->state.difference ? view->state.difference_percent : 0);
+    log_number("right_elevation", right.sun_elevation_deg);
+    log_number("right_azimuth", right.sun_azimuth_deg);
+    log_number("right_samples", (double)side->samples);
+    log_number("right_seconds", side->seconds);
+    log_number("right_error_percent", side->error_percent);
+}
+
+static void log_pixel(const PixelFigures *pixel) {
+    log_number("pixel_x", pixel->x);
+    log_number("pixel_y", pixel->y);
+    log_number("pixel_red", pixel->radiance[0]);
+    log_number("pixel_green", pixel->radiance[1]);
+    log_number("pixel_blue", pixel->radiance[2]);
+    log_number("pixel_samples", pixel->samples);
+    log_number("pixel_error_percent", pixel->error_percent);
+    log_number("pixel_albedo", pixel->albedo[1]);
+    log_number("pixel_depth", pixel->depth);
 }
 
 static void log_frame(const View *view, double latency_s) {
@@ -62,8 +93,12 @@ static void log_frame(const View *view, double latency_s) {
     log_number("picture", view->picture.pictures);
     log_number("coarseness", side->coarseness);
     log_number("samples", (double)side->samples);
+    log_number("rests", picture_rests(&view->picture, state));
+    log_number("seconds", side->seconds);
     log_number("error_percent", side->error_percent);
     log_number("paths_per_s", side->paths_per_second);
+    if (state->split) log_right(view);
+    if (view->figures.pixel.known) log_pixel(&view->figures.pixel);
     log_end();
 }
 
@@ -87,6 +122,7 @@ static bool reload_if_changed(View *view, Error *error) {
         return false;
     }
     picture_watch(&view->picture, &view->state, &view->watch);
+    watch_folders(&view->watch, !ok);
     view->heard = view->heard > 0 ? view->heard : start;
     log_begin("reload");
     log_text("result", ok ? "good" : "broken");
@@ -201,7 +237,7 @@ static bool turn(View *view, Error *error) {
         overlay_build(view->overlay, state, &view->figures);
     }
     if (!picture_update(&view->picture, state, &refusal, error)) return false;
-    if (refusal.status != STATUS_DONE) say_failure(view, &refusal);
+    if (refusal.status != STATUS_DONE) say_refusal(view, &refusal);
     bool drew = false;
     if (!picture_draw(&view->picture, state, &drew, error)) return false;
     view->news |= drew;

@@ -13,8 +13,8 @@ typedef struct Stamp {
 } Stamp;
 
 struct WatchedFile {
-    char *path;
-    Stamp stamp;
+    char *path, *folder;
+    Stamp stamp, folder_stamp;
 };
 
 static const double interval_s = 0.1;
@@ -25,12 +25,25 @@ static Stamp stamp_of(const char *path) {
     return (Stamp){status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size, (long long)status.st_ino};
 }
 
+/* Whether it was another before. */
+static bool refresh(Stamp *stamp, const char *path) {
+    Stamp before = *stamp;
+    *stamp = stamp_of(path);
+    return memcmp(&before, stamp, sizeof before) != 0;
+}
+
+static char *folder_of(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+}
+
 void watch_add_file(Watch *watch, const char *path) {
     for (int i = 0; i < watch->count; i++) {
         if (strcmp(watch->files[i].path, path) == 0) return;
     }
     watch->files = memory_grow(watch->files, (size_t)watch->count + 1, sizeof *watch->files);
-    watch->files[watch->count++] = (WatchedFile){strdup(path), stamp_of(path)};
+    watch->files[watch->count++] =
+        (WatchedFile){.path = strdup(path), .folder = folder_of(path), .stamp = stamp_of(path)};
 }
 
 static void add_folder(Watch *watch, const char *folder, int depth) {
@@ -58,8 +71,17 @@ void watch_add(Watch *watch, const char *library, const GlslSource *source) {
     }
 }
 
+void watch_folders(Watch *watch, bool on) {
+    watch->folders = on;
+    for (int i = 0; on && i < watch->count; i++)
+        watch->files[i].folder_stamp = stamp_of(watch->files[i].folder);
+}
+
 void watch_free(Watch *watch) {
-    for (int i = 0; i < watch->count; i++) free(watch->files[i].path);
+    for (int i = 0; i < watch->count; i++) {
+        free(watch->files[i].path);
+        free(watch->files[i].folder);
+    }
     free(watch->files);
     *watch = (Watch){0};
 }
@@ -70,10 +92,8 @@ bool watch_changed(Watch *watch) {
     watch->looked = clock_seconds();
     for (int i = 0; i < watch->count; i++) {
         WatchedFile *file = &watch->files[i];
-        Stamp stamp = stamp_of(file->path);
-        if (memcmp(&stamp, &file->stamp, sizeof stamp) == 0) continue;
-        file->stamp = stamp;
-        changed = true;
+        changed |= refresh(&file->stamp, file->path);
+        if (watch->folders) changed |= refresh(&file->folder_stamp, file->folder);
     }
     bool settled = watch->unsettled && !changed;
     watch->unsettled = changed;

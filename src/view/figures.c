@@ -1,0 +1,71 @@
+#include "view/figures.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+void curve_extend(ErrorCurve *curve, double seconds, double percent) {
+    if (!(percent > 0) || !isfinite(percent)) return; /* a constant picture has no error */
+    bool near = curve->count && seconds < 1.05 * curve->seconds[curve->count - 1];
+    if (near) return;
+    if (curve->count == MOST_CURVE) { /* every other point does for the past */
+        for (int i = 0; i < MOST_CURVE / 2; i++) {
+            curve->seconds[i] = curve->seconds[2 * i];
+            curve->percent[i] = curve->percent[2 * i];
+        }
+        curve->count = MOST_CURVE / 2;
+    }
+    curve->seconds[curve->count] = seconds;
+    curve->percent[curve->count++] = percent;
+}
+
+void curve_place(const ErrorCurve *curve, int point, double place[2]) {
+    double first = log(curve->seconds[0]), last = log(curve->seconds[curve->count - 1]);
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < curve->count; i++) {
+        low = fmin(low, log(curve->percent[i]));
+        high = fmax(high, log(curve->percent[i]));
+    }
+    place[0] = (log(curve->seconds[point]) - first) / fmax(last - first, 1e-3);
+    place[1] = (high - log(curve->percent[point])) / fmax(high - low, 1e-3);
+}
+
+void figures_progress(const SideFigures *side, char *text, size_t size) {
+    if (side->coarseness > 1)
+        snprintf(text, size, "preview, 1/%d of the size", side->coarseness);
+    else if (!side->samples)
+        snprintf(text, size, "first samples, %.1f s", side->seconds);
+    else
+        snprintf(text, size, "%" PRIu64 " samples in %.1f s", side->samples, side->seconds);
+}
+
+void figures_error(const SideFigures *side, char *text, size_t size) {
+    if (isfinite(side->error_percent))
+        snprintf(text, size, "error about %.2f %%", side->error_percent);
+    else
+        snprintf(text, size, "error not yet known");
+}
+
+void figures_side(const SideFigures *side, char *text, size_t size) {
+    char progress[64], error[64];
+    figures_progress(side, progress, sizeof progress);
+    figures_error(side, error, sizeof error);
+    snprintf(text, size, "%s\n%s, %.1f Mpaths/s\n%s", side->methods, progress, 1e-6 * side->paths_per_second,
+             error);
+}
+
+void figures_pixel(const PixelFigures *pixel, char *text, size_t size) {
+    static const char *const places[] = {"", ", left side", ", right side"};
+    char depth[32] = "none";
+    if (pixel->hits > 0) snprintf(depth, sizeof depth, "%.4g m", pixel->depth);
+    snprintf(text, size,
+             "pixel %d %d%s\n"
+             "radiance  %.4g  %.4g  %.4g\n"
+             "error     %.2g %% of it, %.0f samples\n"
+             "albedo    %.3f  %.3f  %.3f\n"
+             "depth     %s",
+             pixel->x, pixel->y, places[pixel->place], pixel->radiance[0], pixel->radiance[1],
+             pixel->radiance[2], pixel->error_percent, pixel->samples, pixel->albedo[0], pixel->albedo[1],
+             pixel->albedo[2], depth);
+}

@@ -1,0 +1,114 @@
+#include "view/overlay_parts.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+static const ImGuiWindowFlags note_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                                           ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
+
+static ImVec2 note_size(const char *text, float most_width) {
+    ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    /* A pixel more, as a note that just fits is no wider than its text to the last bit only. */
+    ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, most_width - 2 * padding.x + 1);
+    return ImVec2(std::ceil(size.x) + 2 * padding.x, std::ceil(size.y) + 2 * padding.y);
+}
+
+/* Text that stands on `floor` with its left edge at x, no wider than the window; gives the next one's floor.
+ * The mouse does not see it. */
+static float note(const char *name, float x, float floor, const ImVec4 &color, const char *text) {
+    ImVec2 size = note_size(text, ImGui::GetIO().DisplaySize.x - x - em(overlay_margin));
+    ImGui::SetNextWindowPos(ImVec2(x, floor), ImGuiCond_Always, ImVec2(0, 1));
+    ImGui::SetNextWindowSize(size);
+    if (ImGui::Begin(name, nullptr, note_flags)) {
+        ImGui::PushTextWrapPos(size.x - ImGui::GetStyle().WindowPadding.x + 1);
+        ImGui::TextColored(color, "%s", text);
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::End();
+    return floor - size.y - em(overlay_margin);
+}
+
+/* Always as wide: ImGui would be a frame late with its width. */
+void overlay_pixel(const ViewFigures *figures, const ImVec4 &panel) {
+    char text[320];
+    ImVec2 pointer = ImGui::GetIO().MousePos;
+    bool over_panel =
+        pointer.x >= panel.x && pointer.x < panel.z && pointer.y >= panel.y && pointer.y < panel.w;
+    if (!figures->pixel.known || over_panel) return;
+    figures_pixel(&figures->pixel, text, sizeof text);
+    ImGui::BeginTooltip();
+    ImGui::Dummy(ImVec2(em(20), 0));
+    ImGui::TextUnformatted(text);
+    ImGui::EndTooltip();
+}
+
+/* Each on its side of the divider, as far as there is room; in a window without any the panel has to do. */
+float overlay_sides(const ViewState *state, const ViewFigures *figures, float floor) {
+    char texts[MOST_SIDES][400];
+    for (int i = 0; i < MOST_SIDES; i++) {
+        Scene scene = view_scene(state, i);
+        int sun = state->own_sun ? snprintf(texts[i], sizeof texts[i], "sun %.4g %.4g\n",
+                                            scene.sun_elevation_deg, scene.sun_azimuth_deg)
+                                 : 0;
+        figures_side(&figures->sides[i], texts[i] + sun, sizeof texts[i] - (size_t)sun);
+    }
+    float gap = em(overlay_margin), end = ImGui::GetIO().DisplaySize.x - gap,
+          x = (float)state->divider * (end + gap);
+    float left = note_size(texts[0], end).x, right = note_size(texts[1], end).x;
+    if (gap + left + gap + right > end) return floor;
+    float left_x = std::fmin(std::fmax(x - gap - left, gap), end - right - gap - left);
+    float right_x = std::fmin(std::fmax(x + gap, left_x + left + gap), end - right);
+    return std::fmin(note("left", left_x, floor, white, texts[0]),
+                     note("right", right_x, floor, white, texts[1]));
+}
+
+static void range_bar(float width) {
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    ImVec2 middle(corner.x + width / 2, corner.y + em(1));
+    const ImU32 blue = IM_COL32(59, 76, 192, 255), pale = IM_COL32(221, 221, 221, 255),
+                warm = IM_COL32(180, 4, 38, 255);
+    list->AddRectFilledMultiColor(corner, middle, blue, pale, pale, blue);
+    list->AddRectFilledMultiColor(ImVec2(middle.x, corner.y), ImVec2(corner.x + width, middle.y), pale, warm,
+                                  warm, pale);
+    ImGui::Dummy(ImVec2(width, em(1.1f)));
+}
+
+void overlay_range(const ViewState *state) {
+    char ends[2][48];
+    ImVec2 display = ImGui::GetIO().DisplaySize;
+    float padding = ImGui::GetStyle().WindowPadding.x,
+          width = std::fmin(em(22), display.x - em(2 * overlay_margin) - 2 * padding);
+    snprintf(ends[0], sizeof ends[0], "right +%g %%", state->difference_percent);
+    snprintf(ends[1], sizeof ends[1], "left +%g %%", state->difference_percent);
+    ImGui::SetNextWindowPos(ImVec2(display.x - em(overlay_margin), em(overlay_margin)), ImGuiCond_Always,
+                            ImVec2(1, 0));
+    if (ImGui::Begin("range", nullptr, note_flags | ImGuiWindowFlags_AlwaysAutoResize)) {
+        range_bar(width);
+        ImGui::TextUnformatted(ends[0]);
+        ImGui::SameLine(padding + (width - ImGui::CalcTextSize("of the mean").x) / 2);
+        ImGui::TextColored(grey, "of the mean");
+        ImGui::SameLine(padding + width - ImGui::CalcTextSize(ends[1]).x);
+        ImGui::TextUnformatted(ends[1]);
+    }
+    ImGui::End();
+}
+
+void overlay_divider(const ViewState *state) {
+    ImVec2 size = ImGui::GetIO().DisplaySize;
+    float x = (float)state->divider * size.x;
+    ImGui::GetBackgroundDrawList()->AddLine(ImVec2(x, 0), ImVec2(x, size.y), IM_COL32(255, 255, 255, 160), 1);
+}
+
+float overlay_prompt(const ViewState *state, float floor) {
+    char text[160];
+    const char *side = state->own_sun ? state->prompt_side ? "right " : "left " : "";
+    snprintf(text, sizeof text, "%ssun's elevation [azimuth], degrees: %s_", side, state->prompt);
+    float width = ImGui::GetIO().DisplaySize.x, free = width - note_size(text, width).x;
+    return note("prompt", std::fmax(free / 2, em(overlay_margin)), floor, white, text);
+}
+
+float overlay_notice(const ViewState *state, float floor) {
+    if (!view_has_notice(state)) return floor;
+    return note("notice", em(overlay_margin), floor, state->notice.failed ? red : white, state->notice.text);
+}

@@ -1,0 +1,234 @@
+#include "view/overlay_parts.hpp"
+
+extern "C" {
+#include "render/method.h"
+#include "view/controls.h"
+}
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+static const float panel_width = 19; /* in heights of the font, as all lengths here */
+
+static void tooltip(const char *text) {
+    if (*text && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+
+/* A slider on a double. */
+static bool slider(const char *label, double *value, double min, double max, const char *format) {
+    float number = (float)*value;
+    if (!ImGui::SliderFloat(label, &number, (float)min, (float)max, format)) return false;
+    *value = number < (float)min ? min : number > (float)max ? max : number;
+    return true;
+}
+
+static void sun_section(ViewState *state) {
+    double elevation = state->scene.sun_elevation_deg, azimuth = state->scene.sun_azimuth_deg;
+    bool moved = slider("elevation", &elevation, -18, 90, "%.2f deg");
+    moved = slider("azimuth", &azimuth, 0, 360, "%.2f deg") || moved;
+    if (moved) view_set_sun(state, 0, elevation, azimuth);
+    static const char *const times[] = {"60", "30", "5", "-2"}, *const names[] = {"noon", "afternoon",
+                                                                                  "sunset", "early evening"};
+    for (int i = 0; i < 4; i++) {
+        if (i) ImGui::SameLine();
+        if (ImGui::Button(times[i], ImVec2(em(2.2f), 0))) view_choose_time(state, i);
+        tooltip(names[i]);
+    }
+    ImGui::SameLine();
+    if (ImGui::Button(state->playing ? "stop the day" : "play a day")) {
+        state->playing = !state->playing;
+        state->day = day_through(elevation, azimuth);
+    }
+    if (state->playing) slider("hours/s", &state->hours_per_second, 0.01, 4, "%.2f");
+    slider("exposure", &state->scene.exposure_ev, -8, 8, "%.2f EV");
+}
+
+static void preset_section(ViewState *state) {
+    for (int i = 0; i < state->scene.preset_count; i++) {
+        const char *name = state->scene.presets[i].name;
+        float next = ImGui::CalcTextSize(name).x + em(1.2f);
+        float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+        if (i && used + next < em(panel_width)) ImGui::SameLine();
+        if (ImGui::Button(name)) view_choose_preset(state, name);
+    }
+}
+
+static void parameter(Parameter *p) {
+    float color[3] = {(float)p->value[0], (float)p->value[1], (float)p->value[2]};
+    bool on = p->value[0] > 0;
+    char format[32];
+    snprintf(format, sizeof format, "%%.3g %s", p->unit);
+    for (char *c = format + 5; *c; c++) {
+        if (*c == '%') *c = ' '; /* a unit is no format */
+    }
+    switch (p->type) {
+    case PARAMETER_SLIDER:
+        slider(p->name, &p->value[0], p->min, p->max, format);
+        break;
+    case PARAMETER_CHECKBOX:
+        if (ImGui::Checkbox(p->name, &on)) p->value[0] = on;
+        break;
+    case PARAMETER_COLOR:
+        if (!ImGui::ColorEdit3(p->name, color)) break;
+        for (int c = 0; c < 3; c++) p->value[c] = std::fmin(std::fmax(color[c], 0.0f), 1.0f);
+        break;
+    }
+    tooltip(p->label);
+}
+
+/* The methods of a family by name, with those variants of a sky that differ in speed. */
+static std::vector<const char *> method_choices(MethodFamily family) {
+    static const char *const skies[] = {"table",      "gauss:4",     "gauss:8", "gauss:12",
+                                        "paper:16x4", "paper:64x16", "uniform"};
+    std::vector<const char *> choices{"auto"};
+    if (family == METHOD_SKY) {
+        choices.insert(choices.end(), skies, skies + sizeof skies / sizeof *skies);
+        return choices;
+    }
+    for (int i = 0; method_get(i); i++) {
+        if (method_get(i)->family == family) choices.push_back(method_get(i)->name);
+    }
+    return choices;
+}
+
+/* `name` is empty for auto. */
+static void method_combo(const char *label, MethodFamily family, char *name, size_t size) {
+    if (!ImGui::BeginCombo(label, *name ? name : "auto")) return;
+    for (const char *choice : method_choices(family)) {
+        bool automatic = strcmp(choice, "auto") == 0;
+        if (ImGui::Selectable(choice, strcmp(choice, *name ? name : "auto") == 0))
+            snprintf(name, size, "%s", automatic ? "" : choice);
+    }
+    ImGui::EndCombo();
+}
+
+static void method_combos(MethodNames *methods) {
+    method_combo("sky", METHOD_SKY, methods->sky, sizeof methods->sky);
+    method_combo("light", METHOD_LIGHT, methods->light, sizeof methods->light);
+    method_combo("sequence", METHOD_SEQUENCE, methods->sequence, sizeof methods->sequence);
+    method_combo("sun's disk", METHOD_SUN, methods->sun_disk, sizeof methods->sun_disk);
+}
+
+static void curve_plot(const ErrorCurve *curve) {
+    ImVec2 corner = ImGui::GetCursorScreenPos(), size(em(panel_width), em(4.4f));
+    float pad = em(0.25f);
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    ImGui::Dummy(size);
+    list->AddRectFilled(corner, ImVec2(corner.x + size.x, corner.y + size.y), IM_COL32(0, 0, 0, 90), 3);
+    if (curve->count < 2) return;
+    std::vector<ImVec2> points;
+    for (int i = 0; i < curve->count; i++) {
+        double place[2];
+        curve_place(curve, i, place);
+        points.push_back(ImVec2(corner.x + pad + (size.x - 2 * pad) * (float)place[0],
+                                corner.y + pad + (size.y - 2 * pad) * (float)place[1]));
+    }
+    list->AddPolyline(points.data(), (int)points.size(), ImGui::GetColorU32(amber), 0, em(0.12f));
+    /* It falls: there is room above its end and below its start. */
+    char from[48], to[48];
+    snprintf(from, sizeof from, "from %.3g %%", curve->percent[0]);
+    snprintf(to, sizeof to, "to %.3g %% in %.1f s", curve->percent[curve->count - 1],
+             curve->seconds[curve->count - 1]);
+    ImU32 color = ImGui::GetColorU32(grey);
+    list->AddText(ImVec2(corner.x + size.x - ImGui::CalcTextSize(from).x - 2 * pad, corner.y + pad), color,
+                  from);
+    list->AddText(ImVec2(corner.x + 2 * pad, corner.y + size.y - ImGui::GetFontSize() - pad), color, to);
+}
+
+static void side_section(const SideFigures *side) {
+    char text[64], speed[32];
+    figures_error(side, text, sizeof text);
+    ImGui::TextColored(std::isfinite(side->error_percent) ? white : grey, "%s", text);
+    snprintf(speed, sizeof speed, "%.1f Mpaths/s", 1e-6 * side->paths_per_second);
+    ImGui::SameLine(em(panel_width) + ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(speed).x);
+    ImGui::TextUnformatted(speed);
+    figures_progress(side, text, sizeof text);
+    ImGui::TextUnformatted(text);
+    ImGui::PushTextWrapPos(em(panel_width));
+    ImGui::TextColored(grey, "%s", side->methods);
+    ImGui::PopTextWrapPos();
+    curve_plot(&side->curve);
+}
+
+static void split_section(ViewState *state, const ViewFigures *figures) {
+    if (ImGui::Checkbox("two sides", &state->split) && !state->split) state->difference = false;
+    ImGui::SameLine();
+    if (ImGui::Checkbox("their difference", &state->difference) && state->difference) state->split = true;
+    if (!state->split) return;
+    ImGui::PushID("right");
+    ImGui::TextColored(grey, "right side");
+    method_combos(&state->methods[1]);
+    bool own = state->own_sun;
+    if (ImGui::Checkbox("a sun of its own", &own)) view_own_sun(state, own);
+    if (state->own_sun) {
+        slider("elevation", &state->own_elevation_deg, -18, 90, "%.2f deg");
+        slider("azimuth", &state->own_azimuth_deg, 0, 360, "%.2f deg");
+    }
+    side_section(&figures->sides[1]);
+    ImGui::PopID();
+}
+
+static void help_section() {
+    if (!ImGui::CollapsingHeader("keys")) return;
+    ImGui::PushTextWrapPos(em(panel_width) + ImGui::GetStyle().WindowPadding.x);
+    for (int i = 0; controls_help(i); i++) {
+        ImGui::TextColored(amber, "%s", controls_help(i)->keys);
+        ImGui::Indent();
+        ImGui::TextWrapped("%s", controls_help(i)->what);
+        ImGui::Unindent();
+    }
+    ImGui::PopTextWrapPos();
+}
+
+static void scene_panel(ViewState *state, const ViewFigures *figures) {
+    sun_section(state);
+    if (state->scene.preset_count && ImGui::CollapsingHeader("presets", ImGuiTreeNodeFlags_DefaultOpen))
+        preset_section(state);
+    if (state->scene.parameter_count && ImGui::CollapsingHeader("scene", ImGuiTreeNodeFlags_DefaultOpen)) {
+        for (int i = 0; i < state->scene.parameter_count; i++) parameter(&state->scene.parameters[i]);
+    }
+    if (ImGui::CollapsingHeader("methods")) method_combos(&state->methods[0]);
+    if (ImGui::CollapsingHeader("two sides")) split_section(state, figures);
+}
+
+static const char *panel_title(const ViewState *state) {
+    const char *slash = strrchr(state->file.path, '/');
+    return state->file.title[0] ? state->file.title : slash ? slash + 1 : state->file.path;
+}
+
+static void panel_content(ViewState *state, const ViewFigures *figures) {
+    ImGui::PushItemWidth(em(11));
+    if (figures->scene) {
+        side_section(&figures->sides[0]);
+        scene_panel(state, figures);
+    } else {
+        ImGui::Text("frame %llu, %.2f s", (unsigned long long)figures->sides[0].samples,
+                    state->clock_seconds);
+    }
+    help_section();
+    ImGui::TextColored(grey, "%dx%d, %.0f ms a frame", figures->width, figures->height,
+                       1e3 * figures->frame_s);
+    ImGui::PushTextWrapPos(em(panel_width));
+    ImGui::TextColored(grey, "%s", figures->gl_renderer);
+    ImGui::PopTextWrapPos();
+    ImGui::PopItemWidth();
+}
+
+/* Rolled up at first where it would hide the picture. */
+ImVec4 overlay_panel(ViewState *state, const ViewFigures *figures, float floor) {
+    ImVec2 display = ImGui::GetIO().DisplaySize;
+    float widest = display.x - em(2 * overlay_margin),
+          lowest = std::fmax(floor - em(2 * overlay_margin), em(3));
+    char name[160];
+    snprintf(name, sizeof name, "%s###panel", panel_title(state));
+    ImGui::SetNextWindowPos(ImVec2(em(overlay_margin), em(overlay_margin)), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowCollapsed(display.x < em(35) || display.y < em(18), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(std::fmin(em(panel_width), widest), 0),
+                                        ImVec2(widest, lowest));
+    if (ImGui::Begin(name, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) panel_content(state, figures);
+    ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    ImGui::End();
+    return ImVec4(corner.x, corner.y, corner.x + size.x, corner.y + size.y);
+}

@@ -1,0 +1,32 @@
+/* What the overlay is made of: the panel, and notes over the picture. Lengths are in heights of the font. */
+#pragma once
+
+extern "C" {
+#include "view/figures.h"
+}
+
+#include <imgui.h>
+
+static const float overlay_margin = 0.6f;
+static const ImVec4 red(1.0f, 0.45f, 0.4f, 1.0f), grey(0.7f, 0.7f, 0.7f, 1.0f), white(1, 1, 1, 1),
+    amber(1.0f, 0.78f, 0.31f, 1.0f);
+
+static inline float em(float heights) {
+    return heights * ImGui::GetFontSize();
+}
+
+/* From the top to `floor`; gives where it is, from x, y to z, w. What the user does there goes into `state`.
+ */
+ImVec4 overlay_panel(ViewState *state, const ViewFigures *figures, float floor);
+
+/* Notes stand on `floor` and give the next one's. */
+float overlay_notice(const ViewState *state, float floor);
+float overlay_prompt(const ViewState *state, float floor);
+float overlay_sides(const ViewState *state, const ViewFigures *figures, float floor);
+
+/* The false colours' scale, in the upper right corner. */
+void overlay_range(const ViewState *state);
+void overlay_divider(const ViewState *state);
+
+/* Beside the pointer, but not over the panel. */
+void overlay_pixel(const ViewFigures *figures, const ImVec4 &panel);

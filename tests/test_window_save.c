@@ -1,0 +1,163 @@
+/* What the window saves: the picture that it shows, with what makes it again. */
+#include "desktop.h"
+
+#include "base/file.h"
+#include "image/image.h"
+
+#include <math.h>
+#include <png.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SMALL "--size 320x180"
+
+static Desktop *desktop;
+
+static int start(void **state) {
+    (void)state;
+    desktop = desktop_start();
+    return 0;
+}
+
+static int stop(void **state) {
+    (void)state;
+    desktop_stop(desktop);
+    desktop = NULL;
+    return 0;
+}
+
+/* The `render` command that a PNG was saved with, in the text of its metadata. */
+static void saved_command(const char *png, char *command, size_t size) {
+    Text file = {0};
+    Error error;
+    if (!file_read(png, STATUS_FAILURE, &file, &error)) fail_msg("%s", error.text);
+    const char *start = NULL;
+    for (size_t i = 0; i + 17 < file.size && !start; i++) {
+        if (memcmp(file.data + i, "magichour render ", 17) == 0) start = file.data + i + strlen("magichour ");
+    }
+    assert_non_null(start);
+    size_t length = 0;
+    while (start[length] >= ' ' && start[length] < 127 && length + 1 < size) length++;
+    /* What follows the text is four bytes of checksum, which may be printable, so that the end is looked for.
+     */
+    snprintf(command, size, "%.*s", (int)length, start);
+    text_free(&file);
+}
+
+/* To one step of 256 everywhere, and to none but in this share of the values. */
+static void compare_with_screen(const char *png, double most_different) {
+    png_image image = {.version = PNG_IMAGE_VERSION};
+    assert_true(png_image_begin_read_from_file(&image, png));
+    image.format = PNG_FORMAT_RGB;
+    unsigned char *bytes = memory_get(PNG_IMAGE_SIZE(image), 1);
+    assert_true(png_image_finish_read(&image, NULL, bytes, 0, NULL));
+    int different = 0, far = 0, values = 0;
+    for (unsigned y = 10; y < image.height; y += 9) {
+        for (unsigned x = 0; x < image.width; x += 7) {
+            int rgb[3];
+            desktop_pixel(desktop, (int)x, (int)y, rgb);
+            for (int c = 0; c < 3; c++) {
+                int apart = abs(rgb[c] - bytes[3 * (y * image.width + x) + (unsigned)c]);
+                values++;
+                different += apart > 0;
+                far += apart > 1;
+            }
+        }
+    }
+    free(bytes);
+    assert_int_equal(far, 0);
+    assert_true(different <= most_different * values);
+}
+
+static void test_save(void **state) {
+    (void)state;
+    char command[4096];
+    desktop_view(desktop, "\"$here\"/scenes/crater.glsl " SMALL " --spp 48 --seed 7 --set hover=0.75");
+    desktop_do(desktop, "key h mousemove 100 90 mousedown 1 mousemove 110 93 mouseup 1 key 3");
+    desktop_expect_rest(desktop, 48);
+    desktop_do(desktop, "mousemove 700 500 key p"); /* the pointer out of the picture */
+    const char *line = desktop_expect(desktop, "\"event\": \"save\"", "\"message\": \"\"");
+    assert_non_null(strstr(line, "crater-001"));
+    compare_with_screen(support_path("crater-001.png"), 0.003);
+    desktop_quit(desktop);
+    saved_command(support_path("crater-001.png"), command, sizeof command);
+    char *end = strstr(command, " --set hover=0.75");
+    assert_non_null(end);
+    end[strlen(" --set hover=0.75")] = 0;
+    char *output = strstr(command, "-o picture.exr ");
+    assert_non_null(output);
+    memset(output, ' ', strlen("-o picture.exr "));
+    const char *again = support_path("again.exr"), *saved = support_path("crater-001.exr");
+    assert_int_equal(support_run("", "%s --quiet -o '%s'", command, again), 0);
+    assert_int_equal(support_run("", "compare '%s' '%s' --max-relrmse 0", saved, again), 0);
+}
+
+static double channel_mean(const Image *image, int channel, bool negative) {
+    double sum = 0;
+    int pixels = image->width * image->height;
+    for (int i = 0; i < pixels; i++) {
+        double value = (double)image->rgba[4 * i + channel];
+        sum += negative ? fmin(value, 0) : fmax(value, 0);
+    }
+    return sum / pixels;
+}
+
+/* Both sides, and their difference in false colours, which the screen does not dither. */
+static void test_save_sides(void **state) {
+    (void)state;
+    Image image;
+    Error error;
+    desktop_view(desktop, "\"$here\"/scenes/crater.glsl " SMALL " --spp 32");
+    desktop_do(desktop, "mousemove 40 90 key h key i key v mousemove 700 500");
+    desktop_expect(desktop, "\"sides\": 2", "\"rests\": 1");
+    const char *sides = desktop_save(desktop, "png");
+    compare_with_screen(sides, 0.003);
+    desktop_do(desktop, "key f");
+    desktop_expect_number(desktop, "difference", 10, 10);
+    compare_with_screen(desktop_save(desktop, "png"), 0.4);
+    const char *difference = desktop_save(desktop, "exr");
+    desktop_quit(desktop);
+    assert_true(image_read(&image, difference, &error));
+    double below = channel_mean(&image, 1, true), above = channel_mean(&image, 1, false);
+    assert_true(below < 0 && fabs(above / below + 1) < 0.3);
+    image_free(&image);
+}
+
+/* The pixel under the pointer, in the plane's front: its numbers are the saved picture's, and its depth that
+ * of the plane, along the camera's axis. */
+static void test_inspect(void **state) {
+    (void)state;
+    enum { X = 200, Y = 160 };
+    static const char *const channels[] = {"pixel_red", "pixel_green", "pixel_blue"};
+    Image image;
+    Error error;
+    desktop_view(desktop, "\"$here\"/scenes/crater.glsl " SMALL " --spp 32");
+    desktop_do(desktop, "mousemove %d %d key i", X, Y);
+    desktop_expect(desktop, "\"rests\": 1", "\"pixel_x\": 200, \"pixel_y\": 160");
+    const char *path = desktop_save(desktop, "exr");
+    assert_true(image_read(&image, path, &error));
+    for (int c = 0; c < 3; c++) {
+        double saved = (double)image.rgba[4 * (Y * image.width + X) + c];
+        assert_true(fabs(desktop_number(desktop, channels[c]) - saved) < 1e-6 * saved);
+    }
+    image_free(&image);
+    assert_true(desktop_number(desktop, "pixel_samples") == 32);
+    /* Eye 2 m high, looking down by atan(1/2), 90 degrees high. */
+    double up = 1 - (Y + 0.5) / 90, sink = (1 - 2 * up) / sqrt(5);
+    assert_true(fabs(desktop_number(desktop, "pixel_depth") * sink / 2 - 1) < 0.01);
+    double albedo = desktop_number(desktop, "pixel_albedo"),
+           percent = desktop_number(desktop, "pixel_error_percent");
+    assert_true(albedo > 0.099 && albedo < 0.801 && percent > 0 && percent < 50);
+    desktop_quit(desktop);
+}
+
+int main(int argc, char **argv) {
+    if (argc > 1) cmocka_set_test_filter(argv[1]);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_save, start, stop),
+        cmocka_unit_test_setup_teardown(test_save_sides, start, stop),
+        cmocka_unit_test_setup_teardown(test_inspect, start, stop),
+    };
+    return cmocka_run_group_tests(tests, support_folder, support_clean);
+}
