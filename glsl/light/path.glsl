@@ -5,9 +5,9 @@
 #include "sun/ask.glsl"
 #include "math/finite.glsl"
 
-// How paths go on, and the density of that, 1/sr.
-Bounce path_bounce(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
-float path_pdf(Material material, vec3 normal, vec3 incoming, vec3 outgoing);
+// How paths go on after so many hits before this one, and the density of that, 1/sr.
+Bounce path_bounce(int hits, Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
+float path_pdf(int hits, Material material, vec3 normal, vec3 incoming, vec3 outgoing);
 
 // Radiance that comes back along `ray`, with at most `max_hits` surface hits. The sky is asked once, after the loop,
 // where all of a picture's neighbours ask together.
@@ -28,12 +28,12 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             vec2 u = sequence_pair(sequence);
             vec2 v = sequence_pair(sequence);
             Material material = surface_material(hit);
-            Bounce bounce = path_bounce(material, hit.normal, ray.direction, u, v);
-            hits += 1;
-            gathered += throughput * sun_reflected(hit, material, ray.direction, max_hits - hits, sequence);
+            Bounce bounce = path_bounce(hits, material, hit.normal, ray.direction, u, v);
+            gathered += throughput * sun_reflected(hit, material, ray.direction, max_hits - hits - 1, sequence);
             sun = sun_after_bounce(sun, hit, material, ray.direction, bounce);
             vec3 toward = emission_direction(hit, sequence);
-            float rival = path_pdf(material, hit.normal, ray.direction, toward);
+            float rival = path_pdf(hits, material, hit.normal, ray.direction, toward);
+            hits += 1;
             gathered += throughput * emission_reflected(hit, material, ray.direction, toward, rival);
             share = emission_share(hit, bounce);
             throughput *= bounce.weight;

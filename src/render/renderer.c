@@ -135,6 +135,25 @@ static void follow_plan(Renderer *renderer, const Plan *plan) {
     renderer->pixels_per_second = 1e8 / ((double)renderer->group_samples * (double)likely);
 }
 
+static void begin(Renderer *renderer, const Program *program, unsigned group) {
+    program_use(program);
+    program_set_uint(program, "group_samples", group);
+    program_set_int(program, "iFrame", (int)(renderer->film.samples / renderer->group_samples));
+    film_begin(&renderer->film, program);
+}
+
+/* A pixel that no film ever takes in: drivers compile a program when it draws first. */
+static bool warm_up(Renderer *renderer, Error *error) {
+    const Program *programs[] = {&renderer->program, &renderer->image_program};
+    for (int i = 0; i < 2; i++) {
+        if (!programs[i]->id) continue;
+        begin(renderer, programs[i], 1);
+        program_draw(programs[i], 0, 0, 1, 1);
+    }
+    renderer->gl->Finish();
+    return gl_check(renderer->gl, "drawing a first pixel", error);
+}
+
 bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
     const Scene *scene = params->scene;
     int width = plan_width(params), height = plan_height(params);
@@ -147,7 +166,8 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
     renderer->sky_bias_percent = bias_sky_percent(&plan.sky, scene->sun_elevation_deg, &scene->atmosphere);
     remember_spheres(renderer, scene);
     renderer->camera = camera_of(scene, width, height);
-    if (create_parts(renderer, context, params, &plan, error) && renderer_use(renderer, scene, error))
+    if (create_parts(renderer, context, params, &plan, error) && renderer_use(renderer, scene, error) &&
+        warm_up(renderer, error))
         return true;
 fail:
     renderer_destroy(renderer);
@@ -234,13 +254,6 @@ void renderer_destroy(Renderer *renderer) {
     glsl_source_destroy(&renderer->image_source);
     text_free(&renderer->source_files);
     *renderer = (Renderer){0};
-}
-
-static void begin(Renderer *renderer, const Program *program, unsigned group) {
-    program_use(program);
-    program_set_uint(program, "group_samples", group);
-    program_set_int(program, "iFrame", (int)(renderer->film.samples / renderer->group_samples));
-    film_begin(&renderer->film, program);
 }
 
 static int largest(int a, int b) {

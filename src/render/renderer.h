@@ -49,8 +49,8 @@ typedef struct Renderer {
  * include. */
 MUST_CHECK bool renderer_flatten(const RenderParams *params, GlslSource *source, Error *error);
 
-/* STATUS_USAGE for methods or loops beyond their limits, STATUS_SCENE for GLSL errors. Compiles, draws
- * nothing. */
+/* STATUS_USAGE for methods or loops beyond their limits, STATUS_SCENE for GLSL errors. Compiles, which
+ * drivers put off to the first pixel: that is drawn and thrown away. */
 MUST_CHECK bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params,
                                 Error *error);
 void renderer_destroy(Renderer *renderer);
