@@ -93,8 +93,8 @@ static void test_chance(void **state) {
     expect_agreement("chance", &pool, 3);
 }
 
-/* Sunlight by way of two flat mirrors that face each other, of each and of both in turns, against the same disk
- * found by chance. */
+/* Sunlight by way of two flat mirrors that face each other, of each and of both in turns, against the same
+ * disk found by chance. */
 static void test_planes(void **state) {
     (void)state;
     static const char *const places[] = {"40,100", "35,10", "35,185"};
@@ -110,8 +110,9 @@ static void test_planes(void **state) {
             spread_render("scenes/mirrors.glsl", arguments, SIZE, 100 * k, &found[k]);
         }
         Agreement got = spread_agreement(&found[0], &found[1]);
-        print_message("mirrors, sun %s: means differ by %+.3f %%, mean z^2 %.3f of %.3f, |z| > 4 in %.2f %%\n",
-                      places[s], 100 * got.difference, got.z2, got.expected, 100 * got.far);
+        print_message(
+            "mirrors, sun %s: means differ by %+.3f %%, mean z^2 %.3f of %.3f, |z| > 4 in %.2f %%\n",
+            places[s], 100 * got.difference, got.z2, got.expected, 100 * got.far);
         assert_true(fabs(got.difference) < 3e-3 && got.far < 0.01);
         pool.z2 += got.z2;
         pool.expected += got.expected;
