@@ -105,7 +105,7 @@ static void test_planes(void **state) {
         for (int k = 0; k < 2; k++) {
             char arguments[256];
             snprintf(arguments, sizeof arguments,
-                     "--spp 1024 --set sun.radius=25 --sun %s --sun-disk=%s --light cosine --sequence random",
+                     "--spp 512 --set sun.radius=25 --sun %s --sun-disk=%s --light cosine --sequence random",
                      places[s], disks[k]);
             spread_render("scenes/mirrors.glsl", arguments, SIZE, 100 * k, &found[k]);
         }
