@@ -156,7 +156,9 @@ static bool double_tiles(Adaptive *adaptive, Renderer *renderer, bool (*stop)(vo
     const Rectangle all = {0, 0, adaptive->noise.width, adaptive->noise.height};
     uint64_t fewest;
     film_keep(&renderer->film, &all, 1);
-    while ((fewest = fewest_wanted(adaptive)) < UINT64_MAX && clock_seconds() < adaptive->deadline) {
+    /* Few small tiles are drawn in one piece, within which nobody asks `stop`. */
+    while ((fewest = fewest_wanted(adaptive)) < UINT64_MAX && clock_seconds() < adaptive->deadline &&
+           !(stop && stop())) {
         unsigned group = fewest < renderer->group_samples ? (unsigned)fewest : renderer->group_samples;
         bool stopped;
         int count = make_regions(adaptive, 1, UINT64_MAX);
