@@ -29,9 +29,15 @@ const int FRAME = 2;
 const int BODY = 3;
 const int HEAD = 4;
 
-// A mirror is a box within a frame that is a little thinner; the far pair lies in a space that is turned about the vertical.
+// A mirror is a box within a frame that is a little thinner, with narrow sides of wood; the far pair lies in a space that is turned
+// about the vertical.
 void hit_framed(Ray ray, vec3 centre, INOUT(Hit) hit) {
-    hit_box(ray, centre, vec3(1.2, 0.75, 0.03), MIRROR, hit);
+    Hit pane = hit;
+    hit_box(ray, centre, vec3(1.2, 0.75, 0.03), MIRROR, pane);
+    if (pane.t < hit.t) {
+        pane.object = abs(pane.normal.z) > 0.5 ? MIRROR : FRAME;
+        hit = pane;
+    }
     hit_box(ray, centre, vec3(1.26, 0.81, 0.02), FRAME, hit);
 }
 
