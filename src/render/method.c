@@ -48,7 +48,7 @@ static const Method methods[] = {
      "Sobol pairs, shuffled and Owen-scrambled by hashing"},
     {METHOD_SUN, "off", "sun/off.glsl", false, "the sun lights the sky and is not there itself"},
     {METHOD_SUN, "sampled", "sun/sampled.glsl", false,
-     "each hit seeks the disk, straight and by the scene's mirror spheres; its own image is exact"},
+     "each hit seeks the disk, straight and by the mirrors that the scene names; its own image is exact"},
     {METHOD_SUN, "chance", "sun/chance.glsl", false, "rays find the disk or do not: to judge the other by"},
 };
 
