@@ -2,8 +2,8 @@
  * sampling spends. */
 #include "support.h"
 
+#include "error/adaptive.h"
 #include "image/compare.h"
-#include "render/adaptive.h"
 
 #include <math.h>
 #include <stdlib.h>

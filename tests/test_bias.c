@@ -1,10 +1,10 @@
 /* What the sky's methods are said to err, held against pictures and skies; and what auto makes of it. */
 #include "support.h"
 
-#include "render/auto.h"
-#include "render/bias.h"
+#include "choice/auto.h"
+#include "choice/bias.h"
 #include "render/renderer.h"
-#include "render/sky_probe.h"
+#include "sky/sky_probe.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
  * at the ends of what may be set. */
 #include "support.h"
 
-#include "render/sky_reference.h"
+#include "sky/sky_reference.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,8 +2,8 @@
  * hemispherical irradiance, the limits, and the seams where a method changes its form. */
 #include "support.h"
 
-#include "render/sky_probe.h"
-#include "render/sky_reference.h"
+#include "sky/sky_probe.h"
+#include "sky/sky_reference.h"
 
 #include <math.h>
 #include <stdio.h>

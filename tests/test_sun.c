@@ -3,8 +3,8 @@
 #include "support.h"
 
 #include "gl/texture.h"
-#include "render/sky_sampler.h"
-#include "render/sun_disk.h"
+#include "sky/sky_sampler.h"
+#include "sky/sun_disk.h"
 
 #include <math.h>
 #include <stdio.h>

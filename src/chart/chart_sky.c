@@ -4,8 +4,8 @@
 #include "chart/identity.h"
 #include "chart/ledger.h"
 #include "chart/plot.h"
-#include "render/sky_probe.h"
-#include "render/sky_reference.h"
+#include "sky/sky_probe.h"
+#include "sky/sky_reference.h"
 
 #include <inttypes.h>
 #include <math.h>

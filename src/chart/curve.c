@@ -1,7 +1,7 @@
 #include "chart/curve.h"
 
 #include "base/clock.h"
-#include "render/adaptive.h"
+#include "error/adaptive.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,11 +3,11 @@
 
 #include "base/file.h"
 #include "base/version.h"
+#include "choice/auto.h"
 #include "cmd/cmd.h"
 #include "cmd/gauge.h"
 #include "cmd/interrupt.h"
 #include "cmd/setup.h"
-#include "render/auto.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -1,10 +1,10 @@
 #include "chart/worth.h"
+#include "choice/auto.h"
 #include "cmd/cmd.h"
 #include "cmd/gauge.h"
 #include "cmd/interrupt.h"
 #include "cmd/library_files.h"
 #include "cmd/setup.h"
-#include "render/auto.h"
 
 #include <math.h>
 #include <stdio.h>

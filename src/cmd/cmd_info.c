@@ -1,8 +1,8 @@
 #include "base/version.h"
+#include "choice/method.h"
 #include "cmd/cmd.h"
 #include "cmd/setup.h"
 #include "gl/context.h"
-#include "render/method.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,15 +1,15 @@
 #include "base/file.h"
 #include "base/version.h"
+#include "choice/auto.h"
 #include "cmd/cmd.h"
 #include "cmd/setup.h"
 #include "cmd/sky_rows.h"
 #include "image/image.h"
-#include "render/auto.h"
 #include "render/describe.h"
-#include "render/sky_probe.h"
-#include "render/sky_reference.h"
-#include "render/sun.h"
-#include "render/sun_disk.h"
+#include "sky/sky_probe.h"
+#include "sky/sky_reference.h"
+#include "sky/sun.h"
+#include "sky/sun_disk.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 #include "render/aov.h"
 
 #include "base/text.h"
+#include "gl/strips.h"
 #include "render/inputs.h"
-#include "render/strips.h"
 
 #include <stdlib.h>
 #include <string.h>

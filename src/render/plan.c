@@ -1,11 +1,11 @@
 #include "render/plan.h"
 
 #include "base/text.h"
-#include "render/auto.h"
+#include "choice/auto.h"
 #include "render/inputs.h"
-#include "render/sky.h"
 #include "render/spheres.h"
-#include "render/sun.h"
+#include "sky/sky.h"
+#include "sky/sun.h"
 
 #include <string.h>
 

@@ -2,7 +2,7 @@
  * samples a draw may take, and the text of it all. */
 #pragma once
 
-#include "render/method.h"
+#include "choice/method.h"
 #include "scene/glsl_source.h"
 #include "scene/scene.h"
 
@@ -17,7 +17,7 @@ typedef struct RenderParams {
     unsigned seed;
     int max_hits;         /* 0 is unlimited */
     uint64_t samples;     /* that will be taken a pixel, for auto's choice; 0 is as many as the error takes */
-    double error_percent; /* asked for; 0 for auto's own idea of it (render/auto.h) */
+    double error_percent; /* asked for; 0 for auto's own idea of it (choice/auto.h) */
     bool variance;        /* whether the film is to know its error (film_read_variance) */
 } RenderParams;
 

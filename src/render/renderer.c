@@ -2,9 +2,9 @@
 
 #include "base/clock.h"
 #include "base/text.h"
-#include "render/bias.h"
+#include "choice/bias.h"
+#include "gl/strips.h"
 #include "render/inputs.h"
-#include "render/strips.h"
 
 #include <math.h>
 #include <stdio.h>

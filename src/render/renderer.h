@@ -5,13 +5,13 @@
  * samples is the same to the bit however the work was cut into passes. */
 #pragma once
 
+#include "gl/camera.h"
 #include "gl/film.h"
-#include "render/camera.h"
-#include "render/irradiance.h"
 #include "render/plan.h"
-#include "render/sky_sampler.h"
 #include "render/spheres.h"
-#include "render/sun.h"
+#include "sky/irradiance.h"
+#include "sky/sky_sampler.h"
+#include "sky/sun.h"
 
 typedef struct Renderer {
     const GlApi *gl;
@@ -29,7 +29,7 @@ typedef struct Renderer {
     SkySampler sampler;
     Spheres spheres;
     MethodChoice light, sequence, sun_disk;
-    double sky_bias_percent; /* claimed (render/bias.h); NAN where it is not known */
+    double sky_bias_percent; /* claimed (choice/bias.h); NAN where it is not known */
     bool sun_by_chance;      /* whether some of the disk's light is found by chance: rare and bright */
     int max_hits;
     unsigned seed;

@@ -1,7 +1,7 @@
 #include "view/overlay_parts.hpp"
 
 extern "C" {
-#include "render/method.h"
+#include "choice/method.h"
 #include "view/controls.h"
 }
 

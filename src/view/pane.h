@@ -2,7 +2,7 @@
  * things move, and what was measured. */
 #pragma once
 
-#include "render/noise.h"
+#include "error/noise.h"
 #include "render/renderer.h"
 #include "view/figures.h"
 #include "view/state.h"

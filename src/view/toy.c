@@ -1,6 +1,6 @@
 #include "view/toy.h"
 
-#include "render/strips.h"
+#include "gl/strips.h"
 
 #include <math.h>
 #include <string.h>

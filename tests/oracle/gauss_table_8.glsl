@@ -1,4 +1,4 @@
-// The table of 8 nodes, as src/render/gauss_table.c makes it.
+// The table of 8 nodes, as src/sky/gauss_table.c makes it.
 GaussTable gauss_table_8() {
     GaussTable t;
     t.node[0] = 0.019855071751231856;

@@ -13,8 +13,8 @@
  * from time to time, or nothing new is learnt; in between, V ~ 1/n is assumed. */
 #pragma once
 
+#include "gl/camera.h"
 #include "image/image.h"
-#include "render/camera.h"
 
 enum { NOISE_TILE = 16 }; /* pixels a side */
 

@@ -1,7 +1,7 @@
 /* The sky's radiance in listed directions, by a sky method on the GPU. */
 #pragma once
 
-#include "render/sky.h"
+#include "sky/sky.h"
 
 typedef struct SkyProbe {
     Sky sky;

@@ -1,4 +1,4 @@
-#include "render/sky_patches.h"
+#include "sky/sky_patches.h"
 
 #include "gl/texture.h"
 

@@ -1,8 +1,8 @@
-#include "render/sky.h"
+#include "sky/sky.h"
 
+#include "choice/bias.h"
 #include "gl/texture.h"
-#include "render/bias.h"
-#include "render/gauss_table.h"
+#include "sky/gauss_table.h"
 
 #include <math.h>
 #include <stdio.h>

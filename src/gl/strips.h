@@ -2,7 +2,7 @@
  * no driver takes a draw for hung. */
 #pragma once
 
-#include "render/camera.h"
+#include "gl/camera.h"
 
 /* Draws `program`, which is in use, on these regions of the bound framebuffer, and waits for it.
  * `pixels_per_second` is a guess, and becomes what was measured. `stop` (may be NULL) is asked between

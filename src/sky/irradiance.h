@@ -1,7 +1,7 @@
 /* The unblocked sky's irradiance by a surface's normal, tabulated: the control variate of --light control. */
 #pragma once
 
-#include "render/sky_patches.h"
+#include "sky/sky_patches.h"
 
 typedef struct Irradiance {
     const GlApi *gl;

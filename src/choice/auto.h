@@ -1,7 +1,7 @@
 /* What "auto" takes: the cheapest methods that are accurate enough for what was asked. */
 #pragma once
 
-#include "render/method.h"
+#include "choice/method.h"
 #include "scene/atmosphere.h"
 
 /* relRMSE that is asked for unless the user asks for something else, percent. */

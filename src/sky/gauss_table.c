@@ -1,4 +1,4 @@
-#include "render/gauss_table.h"
+#include "sky/gauss_table.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
  * holds them to it). All are relRMSE in percent. */
 #pragma once
 
-#include "render/method.h"
+#include "choice/method.h"
 #include "scene/atmosphere.h"
 
 /* Of a sky method, with its table if it has one: the larger of what was measured in pictures and over the

@@ -1,4 +1,4 @@
-#include "render/strips.h"
+#include "gl/strips.h"
 
 #include "base/clock.h"
 

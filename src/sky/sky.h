@@ -2,8 +2,8 @@
  * it depends on has changed, and only then. */
 #pragma once
 
+#include "choice/method.h"
 #include "gl/program.h"
-#include "render/method.h"
 #include "scene/atmosphere.h"
 
 /* Where the sun is and the air that it shines through. */

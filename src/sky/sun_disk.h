@@ -2,7 +2,7 @@
  * points, cut by the observer's horizon. */
 #pragma once
 
-#include "render/camera.h"
+#include "gl/camera.h"
 #include "scene/atmosphere.h"
 
 typedef struct SunDisk {

@@ -1,4 +1,4 @@
-#include "render/bias.h"
+#include "choice/bias.h"
 
 #include <math.h>
 #include <string.h>

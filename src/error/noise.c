@@ -1,4 +1,4 @@
-#include "render/noise.h"
+#include "error/noise.h"
 
 #include "base/text.h"
 

@@ -8,7 +8,7 @@
  * 256 pixels, by less than can be measured (README). */
 #pragma once
 
-#include "render/noise.h"
+#include "error/noise.h"
 #include "render/renderer.h"
 
 typedef struct Adaptive {

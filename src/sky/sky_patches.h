@@ -2,7 +2,7 @@
  * up to the sun's azimuth plane about which it is even. See glsl/pass/fill_radiance.glsl. */
 #pragma once
 
-#include "render/sky.h"
+#include "sky/sky.h"
 
 enum {
     PATCH_COLUMNS = 64,

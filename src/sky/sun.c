@@ -1,7 +1,7 @@
-#include "render/sun.h"
+#include "sky/sun.h"
 
 #include "gl/texture.h"
-#include "render/sun_disk.h"
+#include "sky/sun_disk.h"
 
 #include <math.h>
 #include <stdlib.h>

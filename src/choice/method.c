@@ -1,4 +1,4 @@
-#include "render/method.h"
+#include "choice/method.h"
 
 #include "base/text.h"
 

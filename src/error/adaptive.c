@@ -1,4 +1,4 @@
-#include "render/adaptive.h"
+#include "error/adaptive.h"
 
 #include "base/clock.h"
 #include "base/text.h"

@@ -1,8 +1,8 @@
-#include "render/sun_disk.h"
+#include "sky/sun_disk.h"
 
 #include "base/text.h"
-#include "render/sky.h"
-#include "render/sky_reference.h"
+#include "sky/sky.h"
+#include "sky/sky_reference.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "render/irradiance.h"
+#include "sky/irradiance.h"
 
 #include "gl/texture.h"
 

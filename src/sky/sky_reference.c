@@ -2,7 +2,7 @@
  * "rise", radius times the cosine of the zenith angle: the origin's position along the ray, counted from the
  * ray's perigee. All altitudes follow from differences of squares written as products, never as |p| - R,
  * which would lose seven digits; so double is enough, and noise stays near 1e-9 m. */
-#include "render/sky_reference.h"
+#include "sky/sky_reference.h"
 
 #include <math.h>
 #include <stdbool.h>

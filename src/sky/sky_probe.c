@@ -1,4 +1,4 @@
-#include "render/sky_probe.h"
+#include "sky/sky_probe.h"
 
 #include "base/clock.h"
 #include "base/text.h"

@@ -2,9 +2,9 @@
  * be. */
 #pragma once
 
-#include "render/camera.h"
-#include "render/method.h"
-#include "render/sky.h"
+#include "choice/method.h"
+#include "gl/camera.h"
+#include "sky/sky.h"
 
 enum { SUN_SLOTS = 7, MOST_SUN_RECTANGLES = 1 + MOST_NAMED_SPHERES };
 

@@ -1,6 +1,6 @@
-#include "render/auto.h"
+#include "choice/auto.h"
 
-#include "render/bias.h"
+#include "choice/bias.h"
 
 #include <math.h>
 #include <stdio.h>

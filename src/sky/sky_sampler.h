@@ -2,7 +2,7 @@
  * probability (glsl/pass/sky_sampler.glsl). */
 #pragma once
 
-#include "render/sky_patches.h"
+#include "sky/sky_patches.h"
 
 enum { SKY_BIN_COLUMNS = 256, SKY_BIN_ROWS = 128, SKY_BINS = SKY_BIN_COLUMNS * SKY_BIN_ROWS };
 

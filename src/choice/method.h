@@ -39,6 +39,6 @@ const Method *method_get(int index);
 /* What "auto" is, in words. */
 const char *method_default(MethodFamily family);
 
-/* `text` as on the command line; NULL or "auto" is the default, for a sky the table (render/auto.h knows
+/* `text` as on the command line; NULL or "auto" is the default, for a sky the table (choice/auto.h knows
  * better). STATUS_USAGE names what is known. */
 MUST_CHECK bool method_choose(MethodChoice *choice, MethodFamily family, const char *text, Error *error);

@@ -1,4 +1,4 @@
-#include "render/sky_sampler.h"
+#include "sky/sky_sampler.h"
 
 #include "base/text.h"
 #include "gl/texture.h"
