@@ -1,6 +1,7 @@
 #include "chart/chart.h"
 
 #include "base/clock.h"
+#include "base/vec3.h"
 #include "chart/identity.h"
 #include "chart/ledger.h"
 #include "chart/plot.h"
@@ -19,9 +20,7 @@ enum { DIRECTIONS = 512, TIMED = 65536 };
 static const double floor_radiance[3] = {1.43e-6, 1.47e-6, 1.54e-6};
 static const double turn_seconds = 0.03;
 static const char nothing[] = "uniform:1"; /* its cost is that of a pass without a sky */
-static const double degree = 3.14159265358979323846 / 180;
-
-enum { NANOSECONDS, RMS, P99, LARGEST }; /* the numbers of a row */
+enum { NANOSECONDS, RMS, P99, LARGEST };   /* the numbers of a row */
 
 /* What is drawn as one curve, and each method's word beside its point. */
 static const struct {

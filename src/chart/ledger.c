@@ -1,6 +1,7 @@
 #include "chart/ledger.h"
 
 #include "base/file.h"
+#include "base/lines.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -48,25 +49,26 @@ static bool rewrite(const Ledger *ledger, Error *error) {
 
 /* The first line of `there` that is not as in `here`, in words. */
 static void say_difference(const char *path, const char *there, const char *here, Text *out) {
-    for (;;) {
-        size_t a = strcspn(there, "\n"), b = strcspn(here, "\n");
-        if (a != b || memcmp(there, here, a) != 0 || !there[a] || !here[b]) {
-            text_print(out, "%s: its line '%.*s' is '%.*s' now: set aside as %s.old\n", path, (int)a, there,
-                       (int)b, here, path);
-            return;
-        }
-        there += a + 1;
-        here += b + 1;
-    }
+    Lines old = lines_of(there), new = lines_of(here);
+    const char *a, *b;
+    do {
+        a = lines_next(&old);
+        b = lines_next(&new);
+    } while (a && b && strcmp(a, b) == 0);
+    text_print(out, "%s: its line '%s' is '%s' now: set aside as %s.old\n", path, a ? a : "", b ? b : "",
+               path);
+    lines_free(&old);
+    lines_free(&new);
 }
 
 /* The rows of a file that begins as it should. */
-static void take_rows(Ledger *ledger, char *text) {
-    for (char *end; (end = strchr(text, '\n')); text = end + 1) {
+static void take_rows(Ledger *ledger, const char *text) {
+    Lines lines = lines_of(text);
+    for (char *line; (line = lines_next(&lines));) {
         LedgerRow row;
-        *end = 0;
-        if (row_read(ledger, text, &row)) rows_push(ledger, &row);
+        if (lines.ended && row_read(ledger, line, &row)) rows_push(ledger, &row);
     }
+    lines_free(&lines);
 }
 
 static bool set_file_aside(const char *path, Error *error) {
@@ -85,7 +87,7 @@ bool ledger_open(Ledger *ledger, const char *path, const char *identity, int wor
     for (const char *c = columns; *c; c++) ledger->number_count += *c == ',';
     text_print(&ledger->head, "%s%s\n", identity, columns);
     if (access(path, F_OK) == 0) {
-        ok = file_read(path, STATUS_OUTPUT, &file, error);
+        ok = lines_read(path, STATUS_OUTPUT, &file, error);
         if (ok && strncmp(text_string(&file), ledger->head.data, ledger->head.size) == 0) {
             take_rows(ledger, file.data + ledger->head.size);
         } else if (ok) {

@@ -1,4 +1,5 @@
 #include "base/file.h"
+#include "base/vec3.h"
 #include "base/version.h"
 #include "choice/auto.h"
 #include "cmd/cmd.h"
@@ -17,8 +18,6 @@
 #include <string.h>
 
 enum { DISK_SAMPLES = 16 }; /* a side, in each pixel that the disk may touch */
-
-static const double degree = 3.14159265358979323846 / 180;
 
 /* What auto is asked for: a third of it is the bias, and a map has no other error. */
 static const double map_error_percent = 0.3;

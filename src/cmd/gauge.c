@@ -1,6 +1,7 @@
 #include "cmd/gauge.h"
 
 #include "base/clock.h"
+#include "base/json.h"
 #include "cmd/progress.h"
 
 #include <math.h>
@@ -21,8 +22,12 @@ void gauge_report(void *state, double share, const char *words) {
     if (now - gauge->last < 0.1) return;
     gauge->last = now;
     if (gauge->json) {
-        fprintf(stderr, "{\"done\": false, \"share\": %.4f, \"seconds\": %.2f, \"at\": \"%s\"}\n", share,
-                seconds, words);
+        Json json = json_begin();
+        json_flag(&json, "done", false);
+        json_number(&json, "share", share);
+        json_seconds(&json, "seconds", seconds);
+        json_text(&json, "at", words);
+        json_end(&json, stderr);
     }
     if (gauge->bar) {
         char line[160];
@@ -33,14 +38,16 @@ void gauge_report(void *state, double share, const char *words) {
         fprintf(stderr, "\r%.*s\033[K", progress_columns() - 1, line);
         gauge->line = true;
     }
-    fflush(stderr);
 }
 
 void gauge_end(Gauge *gauge, bool interrupted) {
     if (gauge->line) fputs("\r\033[K", stderr);
     if (gauge->json) {
-        fprintf(stderr, "{\"done\": true, \"seconds\": %.2f, \"interrupted\": %s}\n",
-                clock_seconds() - gauge->start, interrupted ? "true" : "false");
+        Json json = json_begin();
+        json_flag(&json, "done", true);
+        json_seconds(&json, "seconds", clock_seconds() - gauge->start);
+        json_flag(&json, "interrupted", interrupted);
+        json_end(&json, stderr);
     }
     gauge->line = false;
 }

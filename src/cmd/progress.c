@@ -1,5 +1,7 @@
 #include "cmd/progress.h"
 
+#include "base/json.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -53,26 +55,29 @@ static void report_terminal(Progress *progress, const ProgressFigures *figures) 
 }
 
 static void report_json(const ProgressFigures *figures) {
-    fprintf(stderr,
-            "{\"done\": %s, \"samples\": %.6g, \"paths\": %" PRIu64 ", \"seconds\": %.6f, "
-            "\"startup_seconds\": %.6f, \"paths_per_s\": %.6g",
-            figures->done ? "true" : "false", figures->samples, figures->paths, figures->seconds,
-            figures->startup_seconds, (double)figures->paths / fmax(figures->seconds, 1e-9));
-    if (figures->error_percent < INFINITY)
-        fprintf(stderr, ", \"error_percent\": %.4g, \"noise_percent\": %.4g", figures->error_percent,
-                figures->noise_percent);
+    Json json = json_begin();
+    json_flag(&json, "done", figures->done);
+    json_number(&json, "samples", figures->samples);
+    json_count(&json, "paths", figures->paths);
+    json_seconds(&json, "seconds", figures->seconds);
+    json_seconds(&json, "startup_seconds", figures->startup_seconds);
+    json_number(&json, "paths_per_s", (double)figures->paths / fmax(figures->seconds, 1e-9));
+    if (figures->error_percent < INFINITY) {
+        json_number(&json, "error_percent", figures->error_percent);
+        json_number(&json, "noise_percent", figures->noise_percent);
+    }
     if (figures->done) {
-        fprintf(stderr, ", \"rejected\": %" PRIu64 ", \"interrupted\": %s", figures->rejected,
-                figures->interrupted ? "true" : "false");
-        if (figures->sun_by_chance) fprintf(stderr, ", \"sun_by_chance\": true");
+        json_count(&json, "rejected", figures->rejected);
+        json_flag(&json, "interrupted", figures->interrupted);
+        if (figures->sun_by_chance) json_flag(&json, "sun_by_chance", true);
         if (figures->search_rays > 0) {
-            fprintf(stderr,
-                    ", \"search_rays\": %.0f, \"search_steps\": %.0f, \"search_broken\": %.0f, "
-                    "\"search_cut\": %.0f",
-                    figures->search_rays, figures->search_steps, figures->search_broken, figures->search_cut);
+            json_number(&json, "search_rays", figures->search_rays);
+            json_number(&json, "search_steps", figures->search_steps);
+            json_number(&json, "search_broken", figures->search_broken);
+            json_number(&json, "search_cut", figures->search_cut);
         }
     }
-    fputs("}\n", stderr);
+    json_end(&json, stderr);
 }
 
 void progress_report(Progress *progress, const ProgressFigures *figures) {
@@ -81,5 +86,4 @@ void progress_report(Progress *progress, const ProgressFigures *figures) {
     progress->last = figures->seconds;
     if (progress->kind == PROGRESS_TTY) report_terminal(progress, figures);
     if (progress->kind == PROGRESS_JSON) report_json(figures);
-    fflush(stderr);
 }

@@ -1,6 +1,6 @@
 #include "cmd/sky_rows.h"
 
-#include "base/file.h"
+#include "base/lines.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +20,7 @@ static bool next_word(char **line, char **word) {
     *word = *line + strspn(*line, " \t");
     char *end = *word + strcspn(*word, ",");
     *line = *end ? end + 1 : NULL;
-    while (end > *word && strchr(" \t\r", end[-1])) end--;
+    while (end > *word && strchr(" \t", end[-1])) end--;
     *end = 0;
     return true;
 }
@@ -44,10 +44,10 @@ static bool read_row(SkyRow *row, char *line, Error *error) {
 }
 
 static bool read_line(SkyRows *rows, char *line, bool first, Error *error) {
-    const char *start = line + strspn(line, " \t\r");
+    const char *start = line + strspn(line, " \t");
     if (!*start) return true;
     if (*start == '#') {
-        text_print(&rows->comments, "%.*s\n", (int)strcspn(line, "\r"), line);
+        text_print(&rows->comments, "%s\n", line);
         return true;
     }
     if (first && strncmp(start, "height_m", 8) == 0) return true;
@@ -59,21 +59,14 @@ static bool read_line(SkyRows *rows, char *line, bool first, Error *error) {
 bool sky_rows_read(SkyRows *rows, const char *path, Error *error) {
     Text file = {0};
     *rows = (SkyRows){0};
-    bool ok = file_read(path, STATUS_USAGE, &file, error);
-    if (ok) text_append(&file, "", 0);
-    int number = 1;
-    bool first = true;
-    char *start = file.data;
-    if (ok && strncmp(start, "\xef\xbb\xbf", 3) == 0) start += 3;
-    for (char *line = start; ok && *line; number++) {
-        char *end = line + strcspn(line, "\n");
-        bool last = !*end;
-        bool counts = !strchr("#\n", line[strspn(line, " \t\r")]);
-        *end = 0;
-        if (!read_line(rows, line, first, error)) ok = error_prefix(error, "%s:%d: ", path, number);
+    bool ok = lines_read(path, STATUS_USAGE, &file, error), first = true;
+    Lines lines = lines_of(text_string(&file));
+    for (char *line; ok && (line = lines_next(&lines));) {
+        bool counts = !strchr("#", line[strspn(line, " \t")]);
+        if (!read_line(rows, line, first, error)) ok = error_prefix(error, "%s:%d: ", path, lines.number);
         if (counts) first = false;
-        line = last ? end : end + 1;
     }
+    lines_free(&lines);
     text_free(&file);
     if (!ok) sky_rows_free(rows);
     return ok;

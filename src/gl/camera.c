@@ -1,21 +1,12 @@
 #include "gl/camera.h"
 
+#include "base/vec3.h"
+
 #include <math.h>
 #include <string.h>
 
-static const double degree = 3.14159265358979323846 / 180;
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-    for (int i = 0; i < 3; i++) out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
 static void scale_to(double v[3], double length) {
-    double factor = length / sqrt(dot(v, v));
-    for (int i = 0; i < 3; i++) v[i] *= factor;
+    vec3_scale(v, length / vec3_length(v), v);
 }
 
 Camera camera_of(const Scene *scene, int width, int height) {
@@ -23,15 +14,15 @@ Camera camera_of(const Scene *scene, int width, int height) {
     double world_up[3] = {0, 1, 0};
     double half_height = tan(scene->fov_deg * degree / 2);
     memcpy(camera.eye, scene->eye, sizeof camera.eye);
-    for (int i = 0; i < 3; i++) camera.forward[i] = scene->target[i] - scene->eye[i];
+    vec3_subtract(scene->target, scene->eye, camera.forward);
     scale_to(camera.forward, 1);
     if (fabs(camera.forward[1]) > 1 - 1e-12) { /* straight up or down: the picture's top is +z */
         world_up[1] = 0;
         world_up[2] = 1;
     }
-    cross(camera.forward, world_up, camera.right);
+    vec3_cross(camera.forward, world_up, camera.right);
     scale_to(camera.right, half_height * width / height);
-    cross(camera.right, camera.forward, camera.up);
+    vec3_cross(camera.right, camera.forward, camera.up);
     scale_to(camera.up, half_height);
     return camera;
 }
@@ -46,10 +37,10 @@ void camera_set(const Camera *camera, const Program *program) {
 }
 
 bool camera_project(const Camera *camera, const double direction[3], double out[2]) {
-    double ahead = dot(direction, camera->forward);
+    double ahead = vec3_dot(direction, camera->forward);
     if (ahead <= 0) return false;
-    double x = dot(direction, camera->right) / dot(camera->right, camera->right) / ahead;
-    double y = dot(direction, camera->up) / dot(camera->up, camera->up) / ahead;
+    double x = vec3_dot(direction, camera->right) / vec3_dot(camera->right, camera->right) / ahead;
+    double y = vec3_dot(direction, camera->up) / vec3_dot(camera->up, camera->up) / ahead;
     out[0] = (1 + x) / 2 * camera->width;
     out[1] = (1 - y) / 2 * camera->height;
     return true;
@@ -58,9 +49,9 @@ bool camera_project(const Camera *camera, const double direction[3], double out[
 /* On the plane at distance 1 ahead the cone is q(x, y) = (s . (x, y, 1))^2 - cos^2 (x^2 + y^2 + 1) >= 0, with
  * s its axis in the camera's frame: an ellipse where the cone stays ahead. */
 bool camera_cone(const Camera *camera, const double axis[3], double half_angle, Ellipse *ellipse) {
-    double width = sqrt(dot(camera->right, camera->right)), height = sqrt(dot(camera->up, camera->up));
-    double s[3] = {dot(axis, camera->right) / width, dot(axis, camera->up) / height,
-                   dot(axis, camera->forward)};
+    double width = vec3_length(camera->right), height = vec3_length(camera->up);
+    double s[3] = {vec3_dot(axis, camera->right) / width, vec3_dot(axis, camera->up) / height,
+                   vec3_dot(axis, camera->forward)};
     double cos2 = cos(half_angle) * cos(half_angle), sine = sin(half_angle);
     if (half_angle >= 90 * degree || s[2] <= sine * (1 + 1e-9)) return false;
     double a = cos2 - s[0] * s[0], b = -s[0] * s[1], c = cos2 - s[1] * s[1], determinant = a * c - b * b;
@@ -86,7 +77,7 @@ static Rectangle clip(const Camera *camera, double left, double top, double righ
 Rectangle camera_cone_rectangle(const Camera *camera, const double axis[3], double half_angle) {
     Ellipse e;
     if (!camera_cone(camera, axis, half_angle, &e)) {
-        bool behind = dot(axis, camera->forward) <= -sin(half_angle);
+        bool behind = vec3_dot(axis, camera->forward) <= -sin(half_angle);
         return behind ? (Rectangle){0} : (Rectangle){0, 0, camera->width, camera->height};
     }
     /* The ellipse is centre + inverse(shape) of the unit circle; its box is as wide as the inverse's rows are

@@ -1,6 +1,7 @@
 #include "scene/atmosphere.h"
 
 #include "base/text.h"
+#include "base/vec3.h"
 #include "scene/value.h"
 
 #include <math.h>
@@ -81,7 +82,7 @@ bool atmosphere_choose(Atmosphere *atmosphere, const char *preset, Error *error)
 }
 
 double atmosphere_rayleigh_formula(double refractive_index, double molecules_per_m3, double wavelength_m) {
-    double pi = acos(-1.0), contrast = refractive_index * refractive_index - 1;
+    double contrast = refractive_index * refractive_index - 1;
     return 8 * pi * pi * pi * contrast * contrast / (3 * molecules_per_m3 * pow(wavelength_m, 4));
 }
 

@@ -1,6 +1,6 @@
 #include "scene/sphere_file.h"
 
-#include "base/file.h"
+#include "base/lines.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +13,7 @@ static bool read_row(char *line, float *sphere, Error *error) {
         if (!line) return error_set(error, STATUS_SCENE, "a row needs x,y,z,radius");
         char *word = line + strspn(line, " \t"), *end = word + strcspn(word, ",");
         line = *end ? end + 1 : NULL;
-        while (end > word && strchr(" \t\r", end[-1])) end--;
+        while (end > word && strchr(" \t", end[-1])) end--;
         *end = 0;
         if (!number_parse_range(columns[i], word, -1e7, 1e7, &value, error)) return false;
         sphere[i] = (float)value;
@@ -25,7 +25,7 @@ static bool read_row(char *line, float *sphere, Error *error) {
 
 /* `rows`: lines so far that are neither empty nor comments. */
 static bool read_line(char *line, int *rows, int most, float **spheres, int *count, Error *error) {
-    const char *start = line + strspn(line, " \t\r");
+    const char *start = line + strspn(line, " \t");
     if (!*start || *start == '#') return true;
     if (!(*rows)++ && *start == 'x') return true;
     if (*count == most) return error_set(error, STATUS_SCENE, "more than %d spheres", most);
@@ -37,23 +37,16 @@ static bool read_line(char *line, int *rows, int most, float **spheres, int *cou
 
 bool sphere_file_read(const char *path, int most, float **spheres, int *count, Error *error) {
     Text file = {0};
-    int number = 1, rows = 0;
+    int rows = 0;
     *spheres = NULL;
     *count = 0;
-    bool ok = file_read(path, STATUS_SCENE, &file, error);
-    if (ok) text_append(&file, "", 0);
-    if (ok && memchr(file.data, 0, file.size))
-        ok = error_set(error, STATUS_SCENE, "%s:1: not a text file", path);
-    char *start = file.data;
-    if (ok && strncmp(start, "\xef\xbb\xbf", 3) == 0) start += 3;
-    for (char *line = start; ok && *line; number++) {
-        char *end = line + strcspn(line, "\n");
-        bool last = !*end;
-        *end = 0;
+    bool ok = lines_read(path, STATUS_SCENE, &file, error);
+    Lines lines = lines_of(text_string(&file));
+    for (char *line; ok && (line = lines_next(&lines));) {
         ok = read_line(line, &rows, most, spheres, count, error);
-        if (!ok) error->status = STATUS_SCENE, error_prefix(error, "%s:%d: ", path, number);
-        line = last ? end : end + 1;
+        if (!ok) error->status = STATUS_SCENE, error_prefix(error, "%s:%d: ", path, lines.number);
     }
+    lines_free(&lines);
     text_free(&file);
     if (!ok) free(*spheres), *spheres = NULL, *count = 0;
     return ok;

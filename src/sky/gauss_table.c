@@ -1,5 +1,7 @@
 #include "sky/gauss_table.h"
 
+#include "base/vec3.h"
+
 #include <math.h>
 
 /* Legendre's polynomials of degrees 0 to n at x; p[n + 1] is one degree more. */
@@ -11,7 +13,7 @@ static void legendre(int n, double x, double *p) {
 
 /* The i-th root of P_n on (-1,1), ascending, by Newton from Tricomi's start; `slope` is P_n' there. */
 static double legendre_root(int n, int i, double *slope) {
-    double p[GAUSS_MOST + 2], x = -cos(acos(-1.0) * (i + 0.75) / (n + 0.5));
+    double p[GAUSS_MOST + 2], x = -cos(pi * (i + 0.75) / (n + 0.5));
     for (int step = 0; step < 20; step++) {
         legendre(n, x, p);
         *slope = n * (p[n - 1] - x * p[n]) / (1 - x * x);

@@ -1,12 +1,11 @@
 #include "sky/irradiance.h"
 
+#include "base/vec3.h"
 #include "gl/texture.h"
 
 #include <math.h>
 
 enum { TABLE_COLUMNS = 32, TABLE_ROWS = 8, TABLE_UNIT = 6 };
-
-static const double degree = 3.14159265358979323846 / 180;
 
 bool irradiance_create(Irradiance *irradiance, const Context *context, const char *library, Error *error) {
     const GlApi *gl = &context->gl;

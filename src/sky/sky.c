@@ -1,5 +1,6 @@
 #include "sky/sky.h"
 
+#include "base/vec3.h"
 #include "choice/bias.h"
 #include "gl/texture.h"
 #include "sky/gauss_table.h"
@@ -9,8 +10,6 @@
 #include <string.h>
 
 enum { TABLE_UNIT = 4 }; /* texture units TABLE_UNIT and the next; the film has those before */
-
-static const double degree = 3.14159265358979323846 / 180;
 
 bool sky_state_serves(const SkyState *made_for, const SkyState *state) {
     SkyState turned = *state;

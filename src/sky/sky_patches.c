@@ -1,10 +1,9 @@
 #include "sky/sky_patches.h"
 
+#include "base/vec3.h"
 #include "gl/texture.h"
 
 #include <math.h>
-
-static const double degree = 3.14159265358979323846 / 180;
 
 bool sky_patches_create(SkyPatches *patches, const Context *context, const char *library,
                         const MethodChoice *sky, const Atmosphere *atmosphere, Error *error) {

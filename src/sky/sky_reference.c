@@ -4,6 +4,8 @@
  * which would lose seven digits; so double is enough, and noise stays near 1e-9 m. */
 #include "sky/sky_reference.h"
 
+#include "base/vec3.h"
+
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -64,21 +66,6 @@ typedef struct Breaks {
     double at[MAX_BREAKS], length;
     int count;
 } Breaks;
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static void normalize(const double in[3], double out[3]) {
-    double length = sqrt(dot(in, in));
-    for (int i = 0; i < 3; i++) out[i] = in[i] / length;
-}
 
 static double air_density(const Atmosphere *atmosphere, double height) {
     return atmosphere->rayleigh * exp(-height / atmosphere->rayleigh_scale_height_m);
@@ -219,8 +206,8 @@ static bool path_clip(const Atmosphere *atmosphere, double height, double cosine
 static double aerosol_phase(double g, const double view[3], const double sun[3]) {
     double sign = g < 0 ? -1 : 1, size = fabs(g), apart[3];
     for (int i = 0; i < 3; i++) apart[i] = view[i] - sign * sun[i];
-    double base = (1 - size) * (1 - size) + size * dot(apart, apart), nu = dot(view, sun);
-    return 3 / (8 * acos(-1.0)) * (1 - size) * (1 + size) * (1 + nu * nu) / ((2 + g * g) * base * sqrt(base));
+    double base = (1 - size) * (1 - size) + size * vec3_dot(apart, apart), nu = vec3_dot(view, sun);
+    return 3 / (8 * pi) * (1 - size) * (1 + size) * (1 + nu * nu) / ((2 + g * g) * base * sqrt(base));
 }
 
 static void scattered_at(const Sky *sky, double t, double out[3]) {
@@ -369,18 +356,18 @@ void sky_reference(const Atmosphere *atmosphere, double height_m, const double v
                    double radiance[3]) {
     double v[3], s[3], normal[3], across[3], start;
     Sky sky = {.atmosphere = atmosphere};
-    normalize(view, v);
-    normalize(sun, s);
+    vec3_normalize(view, v);
+    vec3_normalize(sun, s);
     memset(radiance, 0, 3 * sizeof *radiance);
     if (!path_clip(atmosphere, height_m, v[1], &sky.path, &start)) return;
-    cross(v, s, normal);
-    cross(s, normal, across);
+    vec3_cross(v, s, normal);
+    vec3_cross(s, normal, across);
     double radius = atmosphere->planet_radius_m + height_m;
-    sky.nu = dot(v, s);
+    sky.nu = vec3_dot(v, s);
     sky.sun_rise = radius * s[1] + sky.nu * start;
-    sky.across_squared = dot(across, across);
+    sky.across_squared = vec3_dot(across, across);
     sky.across_rise = radius * across[1] + sky.across_squared * start;
-    sky.air_phase = 3 / (16 * acos(-1.0)) * (1 + sky.nu * sky.nu);
+    sky.air_phase = 3 / (16 * pi) * (1 + sky.nu * sky.nu);
     sky.aerosol_phase = aerosol_phase(atmosphere->mie_g, v, s);
     integrate(&sky, radiance);
     for (int c = 0; c < 3; c++) radiance[c] *= atmosphere->sun_irradiance[c];
@@ -391,7 +378,7 @@ void sky_reference_transmittance(const Atmosphere *atmosphere, double height_m, 
     double unit[3], start;
     Path path;
     Columns columns = {0};
-    normalize(direction, unit);
+    vec3_normalize(direction, unit);
     if (path_clip(atmosphere, height_m, unit[1], &path, &start)) {
         columns = columns_along(atmosphere, path.height, path.rise, path.length);
     }

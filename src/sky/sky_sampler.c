@@ -1,14 +1,13 @@
 #include "sky/sky_sampler.h"
 
 #include "base/text.h"
+#include "base/vec3.h"
 #include "gl/texture.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 enum { BINS_UNIT = 7, SHARES_UNIT = 8, CELLS = PATCH_COLUMNS * PATCH_ROWS };
-
-static const double degree = 3.14159265358979323846 / 180;
 
 bool sky_sampler_create(SkySampler *sampler, const Context *context, Error *error) {
     const GlApi *gl = &context->gl;
@@ -74,7 +73,7 @@ static void weigh(const float *light, const float *direction, double *weights) {
         weights[i] = direction[4 * i + 1] > 0 ? luminance : 0;
         total += weights[i];
     }
-    double solid_angle = 2 * 3.14159265358979323846;
+    double solid_angle = 2 * pi;
     for (int i = 0; i < CELLS; i++) {
         bool above = direction[4 * i + 1] > 0;
         weights[i] += above ? (total > 0 ? 0.01 * total : 1) * (double)light[4 * i + 3] / solid_angle : 0;

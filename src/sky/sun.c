@@ -1,5 +1,6 @@
 #include "sky/sun.h"
 
+#include "base/vec3.h"
 #include "gl/texture.h"
 #include "sky/sun_disk.h"
 
@@ -8,8 +9,6 @@
 #include <string.h>
 
 enum { TABLE_COLUMNS = 256, TABLE_UNIT = 2, COVER_UNIT = 3 };
-
-static const double pi = 3.14159265358979323846;
 
 static SunDisk disk_of(const Scene *scene) {
     return sun_disk(&scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg,

@@ -1,6 +1,7 @@
 #include "sky/sun_disk.h"
 
 #include "base/text.h"
+#include "base/vec3.h"
 #include "sky/sky.h"
 #include "sky/sky_reference.h"
 
@@ -9,8 +10,6 @@
 #include <string.h>
 
 enum { STRIPS = 48, COLUMNS = 512 };
-
-static const double pi = 3.14159265358979323846, degree = 3.14159265358979323846 / 180;
 
 SunDisk sun_disk(const Atmosphere *atmosphere, double elevation_deg, double azimuth_deg, double radius_deg) {
     double elevation = elevation_deg * degree, azimuth = azimuth_deg * degree;
@@ -116,10 +115,6 @@ static double area_in(const Ellipse *e, const Polygon *polygon) {
     return fabs(area / (e->shape[0][0] * e->shape[1][1] - e->shape[0][1] * e->shape[1][0]));
 }
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* The disk in level strips, crowded at the lowest: the lines up / middle = const that part them, in the
  * picture. */
 typedef struct Strips {
@@ -136,9 +131,10 @@ static Strips cut(const SunDisk *disk, const Camera *camera) {
         for (int i = 0; i < 3; i++) plane[i] = disk->up[i] - edge * slope * disk->middle[i];
         /* In pixels: the direction of pixel (x, y) is forward + (2 x / width - 1) right + (1 - 2 y / height)
          * up. */
-        on_picture[0] = 2 * dot(plane, camera->right) / camera->width;
-        on_picture[1] = -2 * dot(plane, camera->up) / camera->height;
-        on_picture[2] = dot(plane, camera->forward) - dot(plane, camera->right) + dot(plane, camera->up);
+        on_picture[0] = 2 * vec3_dot(plane, camera->right) / camera->width;
+        on_picture[1] = -2 * vec3_dot(plane, camera->up) / camera->height;
+        on_picture[2] =
+            vec3_dot(plane, camera->forward) - vec3_dot(plane, camera->right) + vec3_dot(plane, camera->up);
         memcpy(strips.line[k], on_picture, sizeof on_picture);
     }
     return strips;

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/text.h"
+#include "base/vec3.h"
 #include "view/orbit.h"
 
 #define GLFW_INCLUDE_NONE
@@ -9,8 +10,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static const double degree = 3.14159265358979323846 / 180;
 
 enum { HELD_W, HELD_A, HELD_S, HELD_D, HELD_E, HELD_Q };
 static const int held_keys[] = {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_E, GLFW_KEY_Q};

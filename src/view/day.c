@@ -1,8 +1,8 @@
 #include "view/day.h"
 
-#include <math.h>
+#include "base/vec3.h"
 
-static const double pi = 3.14159265358979323846, degree = 3.14159265358979323846 / 180;
+#include <math.h>
 static const double usual_noon_deg = 60, dark_deg = -18;
 
 /* At latitude 90 - noon, the sun on the equator: sin elevation = sin noon cos hour. */

@@ -1,9 +1,10 @@
 #include "view/orbit.h"
 
+#include "base/vec3.h"
+
 #include <math.h>
 #include <string.h>
 
-static const double degree = 3.14159265358979323846 / 180;
 static const double nearest = 1e-3, farthest = 1e5, most_coordinate = 9e5, steepest_deg = 89.5;
 
 /* A vector as its length, its azimuth from +z toward +x and its elevation. */
