@@ -233,7 +233,7 @@ static void test_sizes(void **state) {
         }
         if (k == 1) assert_true(sizes[0] == 20 && sizes[5] == 20);
         if (k == 0) assert_true(sizes[0] <= 64 && sizes[2] <= 128 && sizes[5] == 256 && sizes[6] <= 64);
-        if (k == 2) assert_true(sizes[0] == choice.columns && sizes[0] <= 32 && sizes[4] > 64);
+        if (k == 2) assert_true(sizes[0] == choice.table_size.columns && sizes[0] <= 32 && sizes[4] > 64);
         sky_probe_destroy(&probe);
     }
     context_close(&context);

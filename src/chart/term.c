@@ -61,7 +61,9 @@ static TermState curvature_state(const Term *term, const RenderParams *params, c
 }
 
 static bool asks_table(const Variation *variation) {
-    return strncmp(variation->params.sky, "table:", 6) == 0;
+    MethodChoice choice;
+    Error ignored;
+    return method_choose(&choice, METHOD_SKY, variation->params.sky, &ignored) && choice.table;
 }
 
 /* Rays to a flat horizon are long: fewer nodes would err by more than the curvature changes. */
@@ -76,7 +78,7 @@ static void curvature_turn(const Term *term, Variation *variation, bool on) {
 }
 
 static bool has_disk(const Renderer *renderer) {
-    return strcmp(renderer->sun_disk.method->name, "off") != 0;
+    return renderer->sun_disk.method->has_disk;
 }
 
 static TermState disk_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
@@ -121,14 +123,11 @@ static void hits_turn(const Term *term, Variation *variation, bool on) {
     variation->params.max_hits = on ? 0 : term->number;
 }
 
-static bool is_gauss(const Renderer *renderer) {
-    return strcmp(renderer->sky.choice.method->name, "gauss") == 0;
-}
-
 /* "More than N nodes". */
 static TermState nodes_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)params;
-    return state_of(is_gauss(renderer), renderer->sky.choice.counts[0] > term->number);
+    const MethodChoice *sky = &renderer->sky.choice;
+    return state_of(sky->method->numbers == NUMBERS_NODES, sky->nodes > term->number);
 }
 
 static void nodes_turn(const Term *term, Variation *variation, bool on) {
@@ -148,13 +147,10 @@ static void direct_turn(const Term *term, Variation *variation, bool on) {
     variation->params.sky = on ? "gauss:8" : "table:gauss:8";
 }
 
-static bool light_is(const Renderer *renderer, const char *name) {
-    return strcmp(renderer->light.method->name, name) == 0;
-}
-
 static TermState control_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
-    return state_of(renderer->sky.choice.table && params->scene->bound_count, light_is(renderer, "control"));
+    return state_of(renderer->sky.choice.table && params->scene->bound_count,
+                    renderer->light.method->needs_irradiance);
 }
 
 static void control_turn(const Term *term, Variation *variation, bool on) {
@@ -165,7 +161,7 @@ static void control_turn(const Term *term, Variation *variation, bool on) {
 static TermState sampling_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
     (void)params;
-    return state_of(true, light_is(renderer, "mis"));
+    return state_of(true, renderer->light.method->needs_sky_sampler);
 }
 
 static void sampling_turn(const Term *term, Variation *variation, bool on) {
@@ -176,7 +172,7 @@ static void sampling_turn(const Term *term, Variation *variation, bool on) {
 static TermState sequence_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
     (void)params;
-    return state_of(true, strcmp(renderer->sequence.method->name, "random") != 0);
+    return state_of(true, renderer->sequence.method->low_discrepancy);
 }
 
 static void sequence_turn(const Term *term, Variation *variation, bool on) {

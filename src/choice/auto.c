@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* A picture's noise after n samples is about 10 % / sqrt(n): the crater's and the materials' are. */
 static const double noise_of_one_sample = 10;
@@ -25,7 +24,7 @@ static double paths_of(const AutoWish *wish) {
  * the square of the nodes, once for a shader that asks anew and once more for a table's; then 9 ns a node and
  * path, or a look into a table, the slower the less of it fits the caches. */
 static double seconds_of(const MethodChoice *choice, int columns, int rows, double paths) {
-    double nodes = choice->counts[0], compile = 0.09 + 0.0035 * nodes * nodes;
+    double nodes = choice->nodes, compile = 0.09 + 0.0035 * nodes * nodes;
     if (!choice->table) return compile + 9e-9 * nodes * paths;
     double texels = 2.0 * columns * rows;
     return compile + 0.03 + 9e-9 * nodes * texels + (7e-9 + 3e-11 * sqrt(texels)) * paths;
@@ -83,12 +82,12 @@ static bool take_cheapest(MethodChoice *choice, const AutoWish *wish, Error *err
     say_why(choice, best, all, limit);
     /* Should the sun move, the table takes what its nodes have left, so now that size. */
     int of_nodes = (int)(best - all) / (1 + SIZES) * (1 + SIZES);
-    if (choice->table && best->bias <= limit) choice->table_percent = limit - all[of_nodes].bias;
+    if (choice->table && best->bias <= limit) choice->table_size.percent = limit - all[of_nodes].bias;
     return true;
 }
 
 bool auto_sky(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error) {
-    if (text && strcmp(text, "auto") != 0) return method_choose(choice, METHOD_SKY, text, error);
+    if (!method_is_auto(text)) return method_choose(choice, METHOD_SKY, text, error);
     if (!method_choose(choice, METHOD_SKY, "table:gauss:12", error)) return false;
     if (!isnan(bias_sky_percent(choice, wish->sun_elevation_deg, wish->atmosphere)))
         return take_cheapest(choice, wish, error);
@@ -110,7 +109,7 @@ static bool glows(const MethodChoice *sky, const AutoWish *wish) {
 
 bool auto_light(MethodChoice *choice, const char *text, const MethodChoice *sky, const AutoWish *wish,
                 Error *error) {
-    bool automatic = !text || strcmp(text, "auto") == 0;
+    bool automatic = method_is_auto(text);
     bool low = glows(sky, wish);
     if (automatic && low) text = "mis";
     if (automatic && !low && sky->table && wish->bounds) text = "control";

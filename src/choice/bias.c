@@ -215,10 +215,11 @@ static bool is_measured_air(const Atmosphere *a) {
 }
 
 static double nodes_percent(const MethodChoice *choice, double sun, const Atmosphere *a) {
-    const int *counts = choice->counts;
-    if (strcmp(choice->method->name, "gauss") == 0) return figure(column_of_nodes[counts[0] - 4], sun, a);
-    if (counts[0] >= 64 && counts[1] >= 16) return figure(PAPER + 1, sun, a);
-    return counts[0] >= 16 && counts[1] >= 4 ? figure(PAPER, sun, a) : NAN;
+    MethodNumbers numbers = choice->method->numbers;
+    if (numbers == NUMBERS_NODES) return figure(column_of_nodes[choice->nodes - 4], sun, a);
+    if (numbers != NUMBERS_STEPS) return NAN;
+    if (choice->steps.view >= 64 && choice->steps.light >= 16) return figure(PAPER + 1, sun, a);
+    return choice->steps.view >= 16 && choice->steps.light >= 4 ? figure(PAPER, sun, a) : NAN;
 }
 
 static double table_percent(int columns, int rows, double sun, const Atmosphere *a) {
@@ -226,11 +227,11 @@ static double table_percent(int columns, int rows, double sun, const Atmosphere 
 }
 
 void bias_table_size(const MethodChoice *choice, double sun, const Atmosphere *a, int *columns, int *rows) {
-    *columns = choice->columns;
-    *rows = choice->rows;
-    if (!(choice->table_percent > 0)) return;
+    *columns = choice->table_size.columns;
+    *rows = choice->table_size.rows;
+    if (!(choice->table_size.percent > 0)) return;
     for (*columns = 16; *columns < 256; *columns *= 2) {
-        if (table_percent(*columns, 3 * *columns, sun, a) <= choice->table_percent) break;
+        if (table_percent(*columns, 3 * *columns, sun, a) <= choice->table_size.percent) break;
     }
     *rows = 3 * *columns;
 }

@@ -7,9 +7,12 @@
 
 enum {
     MOST_STEPS = 65535,
+    DEFAULT_VIEW_STEPS = 16,
+    DEFAULT_LIGHT_STEPS = 4,
     FEWEST_NODES = 4,
     MOST_NODES = 12,
     DEFAULT_NODES = 8,
+    /* glsl/sky/gauss.glsl cuts a view ray into so many segments at most. */
     MOST_SEGMENTS = 6,
     FEWEST_TEXELS = 4,
     MOST_TEXELS = 1024
@@ -18,60 +21,139 @@ enum {
 /* What a table whose size is not given may add to a picture's error, percent. */
 static const double default_table_percent = 0.1;
 
-static const char *const family_names[METHOD_FAMILIES] = {"--sky", "--light", "--sequence", "--sun-disk"};
+static const MethodFamilyRow families[METHOD_FAMILIES] = {
+    [METHOD_SKY] = {"--sky", "table:gauss:8",
+                    "gauss:n or a table of it, the cheapest whose bias is within a third of the error asked "
+                    "for"},
+    [METHOD_LIGHT] = {"--light", "cosine",
+                      "mis for a low sun on more than ground, control with a table of the sky and a scene "
+                      "that has bounds, else cosine"},
+    [METHOD_SEQUENCE] = {"--sequence", "sobol", "sobol"},
+    [METHOD_SUN] = {"--sun-disk", "sampled", "sampled"},
+};
 
-static const char *const defaults[METHOD_FAMILIES] = {"table:gauss:8", "cosine", "sobol", "sampled"};
+static bool parse_gauss(MethodChoice *choice, const char *number, Error *error);
+static bool parse_paper(MethodChoice *choice, const char *numbers, Error *error);
+static bool parse_table(MethodChoice *choice, const char *text, Error *error);
+static bool parse_uniform(MethodChoice *choice, const char *number, Error *error);
 
 static const Method methods[] = {
-    {METHOD_SKY, "gauss", "pass/sums_gauss.glsl", true,
-     "gauss[:n]: Gauss-Legendre with n nodes a segment, 4 to 12 (8), columns to the sun in closed form"},
-    {METHOD_SKY, "table", NULL, false,
-     "table[:METHOD][@CxR]: what gauss or paper gives (gauss:8), tabulated once per sun position, C azimuths "
-     "by R "
-     "elevations above the horizon and R below (by the sun)"},
-    {METHOD_SKY, "paper", "pass/sums_paper.glsl", true,
-     "paper[:NxM]: the paper's sums, N midpoints along the view ray, M back to the eye and M toward the sun "
-     "(16x4)"},
-    {METHOD_SKY, "uniform", "pass/sky_uniform.glsl", false, "uniform[:L]: radiance L (1) from everywhere"},
-    {METHOD_LIGHT, "cosine", "light/cosine.glsl", false,
-     "Lambert's surfaces, bounces by the cosine, no light sampling"},
-    {METHOD_LIGHT, "control", "pass/light_control.glsl", false,
-     "cosine, on level ground with the open sky as control variate and bounces toward the scene's bounds"},
-    {METHOD_LIGHT, "mis", "pass/light_mis.glsl", false,
-     "bounces by the material or toward the bright sky, by multiple importance sampling"},
-    {METHOD_LIGHT, "paper", "light/paper.glsl", false,
-     "the author's bounce, lobe 2 cos^3 / pi: a picture of its own"},
-    {METHOD_SEQUENCE, "additive", "sequence/additive.glsl", false,
-     "additive recurrence in 24 dimensions, shifted by hashing"},
-    {METHOD_SEQUENCE, "random", "sequence/random.glsl", false, "independent numbers from a PCG hash"},
-    {METHOD_SEQUENCE, "sobol", "sequence/sobol.glsl", false,
-     "Sobol pairs, shuffled and Owen-scrambled by hashing"},
-    {METHOD_SUN, "off", "sun/off.glsl", false, "the sun lights the sky and is not there itself"},
-    {METHOD_SUN, "sampled", "sun/sampled.glsl", false,
-     "each hit seeks the disk, straight and by the mirrors that the scene names; its own image is exact"},
-    {METHOD_SUN, "chance", "sun/chance.glsl", false, "rays find the disk or do not: to judge the other by"},
+    {.family = METHOD_SKY,
+     .name = "gauss",
+     .file = "pass/sums_gauss.glsl",
+     .form = "gauss[:n]",
+     .about = "Gauss-Legendre with n nodes a segment, 4 to 12 (8), columns to the sun in closed form",
+     .parse = parse_gauss,
+     .numbers = NUMBERS_NODES,
+     .variants = {"gauss:4", "gauss:8", "gauss:12"},
+     .integrates = true},
+    {.family = METHOD_SKY,
+     .name = "table",
+     .form = "table[:METHOD][@CxR]",
+     .about = "what gauss or paper gives (gauss:8), tabulated once per sun position, C azimuths by R "
+              "elevations above the horizon and R below (by the sun)",
+     .parse = parse_table},
+    {.family = METHOD_SKY,
+     .name = "paper",
+     .file = "pass/sums_paper.glsl",
+     .form = "paper[:NxM]",
+     .about =
+         "the paper's sums, N midpoints along the view ray, M back to the eye and M toward the sun (16x4)",
+     .parse = parse_paper,
+     .numbers = NUMBERS_STEPS,
+     .variants = {"paper:16x4", "paper:64x16"},
+     .integrates = true},
+    {.family = METHOD_SKY,
+     .name = "uniform",
+     .file = "pass/sky_uniform.glsl",
+     .form = "uniform[:L]",
+     .about = "radiance L (1) from everywhere",
+     .parse = parse_uniform,
+     .numbers = NUMBERS_LEVEL},
+
+    {.family = METHOD_LIGHT,
+     .name = "cosine",
+     .file = "light/cosine.glsl",
+     .about = "Lambert's surfaces, bounces by the cosine, no light sampling"},
+    {.family = METHOD_LIGHT,
+     .name = "control",
+     .file = "pass/light_control.glsl",
+     .about = "cosine, on level ground with the open sky as control variate and bounces toward the scene's "
+              "bounds",
+     .needs_irradiance = true,
+     .loops_over_bounds = true,
+     .extra_sky_lookups = 1},
+    {.family = METHOD_LIGHT,
+     .name = "mis",
+     .file = "pass/light_mis.glsl",
+     .about = "bounces by the material or toward the bright sky, by multiple importance sampling",
+     .needs_sky_sampler = true},
+    {.family = METHOD_LIGHT,
+     .name = "paper",
+     .file = "light/paper.glsl",
+     .about = "the author's bounce, lobe 2 cos^3 / pi: a picture of its own"},
+
+    {.family = METHOD_SEQUENCE,
+     .name = "additive",
+     .file = "sequence/additive.glsl",
+     .about = "additive recurrence in 24 dimensions, shifted by hashing",
+     .low_discrepancy = true},
+    {.family = METHOD_SEQUENCE,
+     .name = "random",
+     .file = "sequence/random.glsl",
+     .about = "independent numbers from a PCG hash"},
+    {.family = METHOD_SEQUENCE,
+     .name = "sobol",
+     .file = "sequence/sobol.glsl",
+     .about = "Sobol pairs, shuffled and Owen-scrambled by hashing",
+     .low_discrepancy = true},
+
+    {.family = METHOD_SUN,
+     .name = "off",
+     .file = "sun/off.glsl",
+     .about = "the sun lights the sky and is not there itself"},
+    {.family = METHOD_SUN,
+     .name = "sampled",
+     .file = "sun/sampled.glsl",
+     .about = "each hit seeks the disk, straight and by the mirrors that the scene names; its own image is "
+              "exact",
+     .has_disk = true,
+     .samples_disk = true,
+     .draws_image = true},
+    {.family = METHOD_SUN,
+     .name = "chance",
+     .file = "sun/chance.glsl",
+     .about = "rays find the disk or do not: to judge the other by",
+     .has_disk = true},
 };
+
+const MethodFamilyRow *method_family(MethodFamily family) {
+    return &families[family];
+}
 
 const Method *method_get(int index) {
     return index >= 0 && index < (int)(sizeof methods / sizeof *methods) ? &methods[index] : NULL;
 }
 
-const char *method_default(MethodFamily family) {
-    return defaults[family];
+bool method_is_auto(const char *text) {
+    return !text || strcmp(text, "auto") == 0;
+}
+
+bool method_is_reference(const char *text) {
+    return text && strcmp(text, "reference") == 0;
 }
 
 /* The "16x4" of paper:16x4. */
 static bool parse_paper(MethodChoice *choice, const char *numbers, Error *error) {
-    int used = 0, n = 16, m = 4;
-    if (numbers && (sscanf(numbers, "%5dx%5d%n", &n, &m, &used) != 2 || numbers[used] || n < 1 || m < 1 ||
-                    n > MOST_STEPS || m > MOST_STEPS)) {
+    int used = 0, view = DEFAULT_VIEW_STEPS, light = DEFAULT_LIGHT_STEPS;
+    if (numbers && (sscanf(numbers, "%5dx%5d%n", &view, &light, &used) != 2 || numbers[used] || view < 1 ||
+                    light < 1 || view > MOST_STEPS || light > MOST_STEPS)) {
         return error_set(error, STATUS_USAGE, "--sky: 'paper:%s' is not paper:NxM with N and M from 1 to %d",
                          numbers, MOST_STEPS);
     }
-    choice->counts[0] = n;
-    choice->counts[1] = m;
-    choice->iterations = n + (long)n * m;
-    snprintf(choice->text, sizeof choice->text, "paper:%dx%d", n, m);
+    choice->steps = (MethodSteps){view, light};
+    choice->iterations = view + (long)view * light;
+    snprintf(choice->text, sizeof choice->text, "paper:%dx%d", view, light);
     return true;
 }
 
@@ -81,9 +163,9 @@ static bool parse_gauss(MethodChoice *choice, const char *number, Error *error) 
         return error_set(error, STATUS_USAGE, "--sky: 'gauss:%s' is not gauss:n with n from %d to %d", number,
                          FEWEST_NODES, MOST_NODES);
     }
-    choice->counts[0] = (int)nodes;
-    choice->iterations =
-        MOST_SEGMENTS * (1 + 2 * (long)nodes + (long)(nodes * nodes)); /* were nothing unrolled */
+    choice->nodes = (int)nodes;
+    /* As many as there would be if the compiler unrolled none of the loops. */
+    choice->iterations = MOST_SEGMENTS * (1 + 2 * (long)nodes + (long)(nodes * nodes));
     snprintf(choice->text, sizeof choice->text, "gauss:%llu", nodes);
     return true;
 }
@@ -113,9 +195,7 @@ static bool parse_table(MethodChoice *choice, const char *text, Error *error) {
         return error_set(error, STATUS_USAGE, "--sky: 'table:%s': a table is filled by gauss or paper", text);
     }
     choice->table = true;
-    choice->columns = columns;
-    choice->rows = rows;
-    choice->table_percent = size ? 0 : default_table_percent;
+    choice->table_size = (MethodTable){columns, rows, size ? 0 : default_table_percent};
     snprintf(base, sizeof base, "%s", choice->text);
     snprintf(choice->text, sizeof choice->text, size ? "table:%.28s@%dx%d" : "table:%.28s", base, columns,
              rows);
@@ -124,20 +204,15 @@ static bool parse_table(MethodChoice *choice, const char *text, Error *error) {
 
 static bool parse_numbers(MethodChoice *choice, const char *numbers, Error *error) {
     const Method *method = choice->method;
-    if (method->family == METHOD_SKY) {
-        if (strcmp(method->name, "paper") == 0) return parse_paper(choice, numbers, error);
-        if (strcmp(method->name, "gauss") == 0) return parse_gauss(choice, numbers, error);
-        if (strcmp(method->name, "table") == 0) return parse_table(choice, numbers, error);
-        return parse_uniform(choice, numbers, error);
-    }
+    if (method->parse) return method->parse(choice, numbers, error);
     snprintf(choice->text, sizeof choice->text, "%s", method->name);
     if (!numbers) return true;
-    return error_set(error, STATUS_USAGE, "%s: %s takes no numbers", family_names[method->family],
+    return error_set(error, STATUS_USAGE, "%s: %s takes no numbers", families[method->family].option,
                      method->name);
 }
 
 bool method_choose(MethodChoice *choice, MethodFamily family, const char *text, Error *error) {
-    if (!text || strcmp(text, "auto") == 0) text = defaults[family];
+    if (method_is_auto(text)) text = families[family].fallback;
     size_t length = strcspn(text, ":@");
     const char *numbers = text[length] == ':' ? text + length + 1 : text[length] ? text + length : NULL;
     Text known = {0};
@@ -152,7 +227,7 @@ bool method_choose(MethodChoice *choice, MethodFamily family, const char *text, 
         }
         text_print(&known, ", %s", method->name);
     }
-    error_set(error, STATUS_USAGE, "%s: unknown method '%s' (known: auto%s)", family_names[family], text,
+    error_set(error, STATUS_USAGE, "%s: unknown method '%s' (known: auto%s)", families[family].option, text,
               text_string(&known));
     text_free(&known);
     return false;

@@ -19,24 +19,15 @@ static void print_backend(const Backend *backend) {
     context_close(&context);
 }
 
-/* What auto is, in words. */
-static const char *automatic(MethodFamily family) {
-    if (family == METHOD_SKY)
-        return "gauss:n or a table of it, the cheapest whose bias is within a third of the error asked for";
-    if (family == METHOD_LIGHT)
-        return "mis for a low sun on more than ground, control with a table of the sky and a scene that has "
-               "bounds, else "
-               "cosine";
-    return method_default(family);
-}
-
 static void print_methods(void) {
-    static const char *const titles[METHOD_FAMILIES] = {"--sky", "--light", "--sequence", "--sun-disk"};
     for (int family = 0; family < METHOD_FAMILIES; family++) {
-        printf("%s (auto: %s)\n", titles[family], automatic((MethodFamily)family));
+        const MethodFamilyRow *row = method_family((MethodFamily)family);
+        printf("%s (auto: %s)\n", row->option, row->automatic);
         for (int i = 0; method_get(i); i++) {
             const Method *method = method_get(i);
-            if ((int)method->family == family) printf("  %-8s %s\n", method->name, method->about);
+            if ((int)method->family != family) continue;
+            printf("  %-8s %s%s%s\n", method->name, method->form ? method->form : "",
+                   method->form ? ": " : "", method->about);
         }
     }
 }

@@ -138,7 +138,7 @@ static bool make_map(Job *job, int argc, char **argv, Error *error) {
     SkyState state = state_of(&job->scene);
     bool ok =
         sky_probe_ask(&job->probe, &state, image.rgba, (size_t)width * (size_t)height, image.rgba, error);
-    if (ok && strcmp(disk.method->name, "off") != 0) add_disk(job, &image);
+    if (ok && disk.method->has_disk) add_disk(job, &image);
     ok = ok && write_map(job, &image, argc, argv, error);
     image_free(&image);
     return ok;
@@ -179,7 +179,7 @@ static bool ask_group(Job *job, SkyRow **rows, size_t count, Error *error) {
 }
 
 static bool ask_rows(Job *job, SkyRows *rows, Error *error) {
-    if (job->options->sky && strcmp(job->options->sky, "reference") == 0) {
+    if (method_is_reference(job->options->sky)) {
         for (size_t i = 0; i < rows->count; i++) ask_reference(job, &rows->rows[i]);
         return true;
     }
@@ -223,7 +223,7 @@ Status cmd_sky(const Options *options, int argc, char **argv, Error *error) {
         error_set(error, STATUS_USAGE, "where to? (-o FILE.exr for a map, or --at FILE.csv)");
         return error->status;
     }
-    if (!options->at && options->sky && strcmp(options->sky, "reference") == 0) {
+    if (!options->at && method_is_reference(options->sky)) {
         error_set(error, STATUS_USAGE, "--sky reference is for --at alone");
         return error->status;
     }

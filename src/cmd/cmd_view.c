@@ -1,3 +1,4 @@
+#include "choice/method.h"
 #include "cmd/cmd.h"
 #include "cmd/interrupt.h"
 #include "cmd/setup.h"
@@ -17,7 +18,7 @@ static bool load(const void *data, Scene *scene, Error *error) {
 }
 
 static void copy_name(char *target, size_t size, const char *name) {
-    snprintf(target, size, "%s", name && strcmp(name, "auto") != 0 ? name : "");
+    snprintf(target, size, "%s", method_is_auto(name) ? "" : name);
 }
 
 static MethodNames method_names(const Options *options) {
@@ -26,7 +27,8 @@ static MethodNames method_names(const Options *options) {
     copy_name(names.light, sizeof names.light, options->light);
     copy_name(names.sequence, sizeof names.sequence, options->sequence);
     copy_name(names.sun_disk, sizeof names.sun_disk, options->sun_disk);
-    if (options->sun_disk && !names.sun_disk[0]) copy_name(names.sun_disk, sizeof names.sun_disk, "sampled");
+    if (options->sun_disk && !names.sun_disk[0])
+        copy_name(names.sun_disk, sizeof names.sun_disk, method_family(METHOD_SUN)->fallback);
     return names;
 }
 

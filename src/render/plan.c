@@ -25,20 +25,20 @@ enum {
 };
 
 bool plan_controls(const Plan *plan) {
-    return strcmp(plan->light.method->name, "control") == 0;
+    return plan->light.method->needs_irradiance;
 }
 
 bool plan_samples_sky(const Plan *plan) {
-    return strcmp(plan->light.method->name, "mis") == 0;
+    return plan->light.method->needs_sky_sampler;
 }
 
 /* Loop iterations at one hit, with those of its rays' searches, and the bounds, mirror spheres and emitters
  * that it looks for. */
 static long hit_iterations(const Plan *plan, const Scene *scene) {
-    bool sun = strcmp(plan->sun.method->name, "sampled") == 0;
+    bool sun = plan->sun.method->samples_disk;
     long emitters = plan->needs.emits ? scene->emitter_count : 0;
     long rays = 1 + (sun ? 1 : 0) + (sun && scene->mirror_count ? 2 : 0) + (emitters ? 1 : 0);
-    long bounds = plan_controls(plan) ? (emitters ? 3L : 2L) * scene->bound_count : 0;
+    long bounds = plan->light.method->loops_over_bounds ? (emitters ? 3L : 2L) * scene->bound_count : 0;
     long mirrors = sun && scene->mirror_count ? 6 + 5L * scene->mirror_count : 0;
     /* Each of a chain's rays asks which mirror it met, and which it should. */
     long planes = sun && scene->plane_count ? PLANE_CHAIN * (3 + 2L * PLANE_CHAIN + scene->plane_count) : 0;
@@ -50,7 +50,7 @@ static long hit_iterations(const Plan *plan, const Scene *scene) {
 static bool choose_group(Plan *plan, const RenderParams *params, Error *error) {
     const MethodChoice *sky = &plan->sky;
     long hit = hit_iterations(plan, params->scene);
-    long others = 1 + (sky->table ? 0 : sky->iterations) * (plan_controls(plan) ? 2 : 1);
+    long others = 1 + (sky->table ? 0 : sky->iterations) * (1 + plan->light.method->extra_sky_lookups);
     long most = (LOOP_LIMIT - others) / hit - 1;
     if (!params->max_hits && hit > 1 && most > 16 && most < plan->max_hits) plan->max_hits = (int)most;
     long iterations = others + (plan->max_hits + 1L) * hit;

@@ -96,7 +96,7 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
     const Scene *scene = params->scene;
     const Camera *camera = &renderer->camera;
     renderer->parts = (params->variance ? FILM_SCATTER : 0U) | (plan->needs.search ? FILM_SEARCH : 0U);
-    bool image = strcmp(plan->sun.method->name, "sampled") == 0;
+    bool image = plan->sun.method->draws_image;
     if (!create_program(renderer, context, plan, params, error) ||
         (image && !plan_flatten(plan, params, true, &renderer->image_source, error)) ||
         !film_create(&renderer->film, context, camera->width, camera->height, renderer->parts, error) ||
@@ -125,8 +125,8 @@ static void follow_plan(Renderer *renderer, const Plan *plan) {
     renderer->light = plan->light;
     renderer->sequence = plan->sequence;
     renderer->sun_disk = plan->sun;
-    bool sampled = strcmp(plan->sun.method->name, "sampled") == 0;
-    renderer->sun_by_chance = sampled ? plan->needs.throws_light : strcmp(plan->sun.method->name, "off") != 0;
+    const Method *sun = plan->sun.method;
+    renderer->sun_by_chance = sun->samples_disk ? plan->needs.throws_light : sun->has_disk;
     renderer->needs = plan->needs;
     renderer->max_hits = plan->max_hits;
     renderer->group_samples = renderer->group = plan->group_samples;

@@ -26,7 +26,8 @@ void sky_slots(const MethodChoice *choice, const Atmosphere *atmosphere, GlslSlo
     const char *sky = choice->table                ? "pass/sky_table.glsl"
                       : choice->method->integrates ? "pass/sky_direct.glsl"
                                                    : choice->method->file;
-    snprintf(text->nodes, sizeof text->nodes, "const int GAUSS_NODES = %d;", choice->counts[0]);
+    snprintf(text->nodes, sizeof text->nodes, "const int GAUSS_NODES = %d;",
+             choice->method->numbers == NUMBERS_NODES ? choice->nodes : 0);
     slots[0] = (GlslSlot){"sky", sky, NULL};
     slots[1] = (GlslSlot){"sums", choice->method->file, NULL};
     slots[2] = (GlslSlot){"absorber",
@@ -97,12 +98,14 @@ static void set_sun(const Program *program, const SkyState *state) {
 }
 
 static void set_method(const Program *program, const MethodChoice *choice) {
-    program_set_float(program, "sky_level", choice->level);
-    if (!choice->method->integrates) return;
-    program_set_int(program, "sky_view_samples", choice->counts[0]);
-    program_set_int(program, "sky_light_samples", choice->counts[1]);
-    if (strcmp(choice->method->name, "gauss") != 0) return;
-    GaussTable table = gauss_table(choice->counts[0]);
+    MethodNumbers numbers = choice->method->numbers;
+    if (numbers == NUMBERS_LEVEL) program_set_float(program, "sky_level", choice->level);
+    if (numbers == NUMBERS_STEPS) {
+        program_set_int(program, "sky_view_samples", choice->steps.view);
+        program_set_int(program, "sky_light_samples", choice->steps.light);
+    }
+    if (numbers != NUMBERS_NODES) return;
+    GaussTable table = gauss_table(choice->nodes);
     program_set_floats(program, "gauss_table.node", table.node, GAUSS_MOST);
     program_set_floats(program, "gauss_table.weight", table.weight, GAUSS_MOST);
     program_set_floats(program, "gauss_table.cumulative", table.cumulative, GAUSS_MOST * GAUSS_MOST);

@@ -6,17 +6,12 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { TABLE_COLUMNS = 256, TABLE_UNIT = 2, COVER_UNIT = 3 };
 
 static SunDisk disk_of(const Scene *scene) {
     return sun_disk(&scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg,
                     scene->sun_radius_deg);
-}
-
-static bool is(const MethodChoice *choice, const char *name) {
-    return strcmp(choice->method->name, name) == 0;
 }
 
 void sun_slots(const MethodChoice *choice, const Scene *scene, bool image, const char *spheres,
@@ -98,10 +93,10 @@ bool sun_create(Sun *sun, const Context *context, const MethodChoice *choice, co
     SunDisk disk = disk_of(scene);
     float table[4 * TABLE_COLUMNS];
     *sun = (Sun){.gl = &context->gl};
-    if (is(choice, "off")) return true;
+    if (!choice->method->has_disk) return true;
     sun_disk_table(&disk, &scene->atmosphere, TABLE_COLUMNS, table);
     sun->table = texture_create(sun->gl, TABLE_COLUMNS, 1, GL_LINEAR, table);
-    if (is(choice, "sampled")) {
+    if (choice->method->draws_image) {
         find_rectangles(sun, &disk, scene, camera);
         create_cover(sun, &disk, scene, camera);
     }

@@ -78,17 +78,16 @@ static void parameter(Parameter *p) {
     tooltip(p->label);
 }
 
-/* The methods of a family by name, with those variants of a sky that differ in speed. */
+/* The methods of a family by name, with those variants that differ in speed. */
 static std::vector<const char *> method_choices(MethodFamily family) {
-    static const char *const skies[] = {"table",      "gauss:4",     "gauss:8", "gauss:12",
-                                        "paper:16x4", "paper:64x16", "uniform"};
     std::vector<const char *> choices{"auto"};
-    if (family == METHOD_SKY) {
-        choices.insert(choices.end(), skies, skies + sizeof skies / sizeof *skies);
-        return choices;
-    }
     for (int i = 0; method_get(i); i++) {
-        if (method_get(i)->family == family) choices.push_back(method_get(i)->name);
+        const Method *method = method_get(i);
+        if (method->family != family) continue;
+        if (!method->variants[0]) choices.push_back(method->name);
+        for (const char *variant : method->variants) {
+            if (variant) choices.push_back(variant);
+        }
     }
     return choices;
 }
@@ -97,7 +96,7 @@ static std::vector<const char *> method_choices(MethodFamily family) {
 static void method_combo(const char *label, MethodFamily family, char *name, size_t size) {
     if (!ImGui::BeginCombo(label, *name ? name : "auto")) return;
     for (const char *choice : method_choices(family)) {
-        bool automatic = strcmp(choice, "auto") == 0;
+        bool automatic = method_is_auto(choice);
         if (ImGui::Selectable(choice, strcmp(choice, *name ? name : "auto") == 0))
             snprintf(name, size, "%s", automatic ? "" : choice);
     }

@@ -237,7 +237,7 @@ static void fill_side(SideFigures *figures, const Pane *pane) {
     const Renderer *renderer = &pane->renderer;
     if (!renderer->gl) return;
     const char *disk = renderer->sun_disk.text;
-    bool has_disk = strcmp(disk, "off") != 0;
+    bool has_disk = renderer->sun_disk.method->has_disk;
     snprintf(figures->methods, sizeof figures->methods, "%s, %s, %s%s%s", renderer->sky.choice.text,
              renderer->light.text, renderer->sequence.text, has_disk ? ", disk " : "", has_disk ? disk : "");
     figures->samples = renderer->film.samples;
