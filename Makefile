@@ -30,7 +30,7 @@ SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$
 CASES := $(patsubst %.glsl,$(BUILD)/%,$(wildcard tests/oracle/cases/*.glsl))
 ORACLE := $(BUILD)/tests/oracle/oracle.o $(CASES:%=%_float.o) $(CASES:%=%_double.o)
 
-.PHONY: all demo view check-view measure-view gallery atlas honesty sheets charts test check lint format deps clean install FORCE
+.PHONY: all demo view check-view measure-view gallery atlas honesty sheets charts test check check-slow check-all lint format deps clean install FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
@@ -115,10 +115,14 @@ charts:
 
 test:
 	tools/deps.sh build test
-	$(MAKE) check
+	$(MAKE) check-all
 
-check: $(BUILD)/magichour $(TESTS)
-	tests/run.sh $(BUILD)
+# The fast tests, the slow ones (statistics of pictures, and the window), and all of them.
+check: SUITE = fast
+check-slow: SUITE = slow
+check-all: SUITE = all
+check check-slow check-all: $(BUILD)/magichour $(TESTS)
+	tests/run.sh $(BUILD) $(SUITE)
 
 # The window, on the paper's scene.
 view:

@@ -13,7 +13,7 @@ void spread_render(const char *scene, const char *arguments, int size, int first
         Error error;
         int status = support_run("", "render '%s' --quiet --size %dx%d %s --seed %d -o '%s'", scene, size,
                                  size, arguments, first_seed + seed, support_path("picture.pfm"));
-        if (status == STATUS_NO_GL) skip();
+        if (status == STATUS_NO_GL) support_no_gl(support_err);
         if (status != 0) fail_msg("render %s: %s", arguments, support_err);
         if (!image_read(&image, support_path("picture.pfm"), &error)) fail_msg("%s", error.text);
         for (int i = 0; i < spread->values; i++) {

@@ -1,6 +1,8 @@
 #include "support.h"
 
+#include "base/clock.h"
 #include "base/file.h"
+#include "base/text.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 
@@ -14,12 +16,59 @@
 static char folder[256];
 char support_out[65536], support_err[65536];
 
-void support_open(Context *context) {
-    Error error;
-    if (context_open(context, "auto", &error)) return;
-    print_message("no OpenGL here: %s\n", error.text);
+void support_no_gl(const char *reason) {
+    const char *required = getenv("REQUIRE_GL");
+    if (required && *required && strcmp(required, "0") != 0) fail_msg("OpenGL is required: %s", reason);
+    print_message("no OpenGL here: %s\n", reason);
     skip();
 }
+
+void support_open(Context *context) {
+    Error error;
+    if (!context_open(context, "auto", &error)) support_no_gl(error.text);
+}
+
+uint64_t support_samples(uint64_t samples) {
+    const char *fewer = getenv("FEWER_SAMPLES");
+    uint64_t divisor = fewer ? strtoull(fewer, NULL, 10) : 1;
+    if (divisor > 1) samples /= divisor;
+    return samples < 4 ? 4 : samples;
+}
+
+/* ---- Each test's time */
+
+static struct {
+    const struct CMUnitTest *tests;
+    size_t next;
+    double start_s;
+} timed;
+
+static int start_timed(void **state) {
+    const struct CMUnitTest *test = &timed.tests[timed.next];
+    timed.start_s = clock_seconds();
+    *state = test->initial_state;
+    return test->setup_func ? test->setup_func(state) : 0;
+}
+
+static int end_timed(void **state) {
+    const struct CMUnitTest *test = &timed.tests[timed.next++];
+    print_message("[     TIME ] %s: %.2f s\n", test->name, clock_seconds() - timed.start_s);
+    return test->teardown_func ? test->teardown_func(state) : 0;
+}
+
+int support_run_tests(const char *name, const struct CMUnitTest *tests, size_t count, CMFixtureFunction setup,
+                      CMFixtureFunction teardown) {
+    struct CMUnitTest *wrapped = memory_get(count, sizeof *wrapped);
+    for (size_t i = 0; i < count; i++)
+        wrapped[i] = (struct CMUnitTest){tests[i].name, tests[i].test_func, start_timed, end_timed, NULL};
+    timed.tests = tests;
+    timed.next = 0;
+    int failures = _cmocka_run_group_tests(name, wrapped, count, setup, teardown);
+    free(wrapped);
+    return failures;
+}
+
+/* ---- GLSL, files and the program */
 
 static void compile(const Context *context, const char *glsl, Program *program) {
     Text text = {0};
@@ -107,10 +156,6 @@ static void read_stream(const char *name, char *buffer, size_t size) {
     if (file) fclose(file);
 }
 
-bool support_sanitizer_failed(const char *said) {
-    return strstr(said, "LeakSanitizer has encountered a fatal error") != NULL;
-}
-
 static int run_arguments(const char *environment, const char *format, va_list list) {
     char arguments[4096];
     Text command = {0};
@@ -119,12 +164,9 @@ static int run_arguments(const char *environment, const char *format, va_list li
     text_print(&command, "%s '%s' %s >'%s' 2>'%s' </dev/null", environment,
                program ? program : "build/magichour", arguments, support_path("stdout"),
                support_path("stderr"));
-    int status;
-    do {
-        status = system(text_string(&command));
-        read_stream("stdout", support_out, sizeof support_out);
-        read_stream("stderr", support_err, sizeof support_err);
-    } while (support_sanitizer_failed(support_err));
+    int status = system(text_string(&command));
+    read_stream("stdout", support_out, sizeof support_out);
+    read_stream("stderr", support_err, sizeof support_err);
     text_free(&command);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }

@@ -13,8 +13,23 @@
 #include "gl/context.h"
 #include "image/image.h"
 
-/* Opens the first backend that there is, or skips the test with the reason. */
+/* Ends a test that needs OpenGL where there is none: skips it with the reason, or fails it if the environment
+ * says REQUIRE_GL=1. */
+void support_no_gl(const char *reason);
+
+/* Opens the first backend that there is, or ends the test with support_no_gl(). */
 void support_open(Context *context);
+
+/* How many samples a statistical test takes: these, or a part of them if the environment says
+ * FEWER_SAMPLES=N. Its bounds must come from the measured noise. */
+uint64_t support_samples(uint64_t samples);
+
+/* Runs a group of tests as cmocka does, and prints the time of each. */
+int support_run_tests(const char *name, const struct CMUnitTest *tests, size_t count, CMFixtureFunction setup,
+                      CMFixtureFunction teardown);
+#undef cmocka_run_group_tests_name
+#define cmocka_run_group_tests_name(name, tests, setup, teardown)                                            \
+    support_run_tests(name, tests, sizeof(tests) / sizeof *(tests), setup, teardown)
 
 /* Compiles `glsl`, which defines `vec4 evaluate(vec2 texel)` (texel in whole numbers, row 0 first) and may
  * fetch from `uniform sampler2D inputs` (the same size; NULL for none), and reads the results: 4 * width *
@@ -36,11 +51,6 @@ const char *support_write(const char *name, const char *text);
  * the exit status; what it printed is in support_out and support_err until the next run. */
 int support_run(const char *environment, const char *format, ...) __attribute__((format(printf, 2, 3)));
 extern char support_out[65536], support_err[65536];
-
-/* Whether the leak sanitizer itself broke down ("Tracer caught signal 11"): it looks through threads, and now
- * and then one of the driver's ends at that moment. Says nothing about the program; support_run() runs it
- * again. */
-bool support_sanitizer_failed(const char *said);
 
 /* The exit status and the start of standard error, together in one readable failure. */
 void support_expect(int status, const char *error_part, const char *format, ...)

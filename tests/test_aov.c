@@ -87,10 +87,7 @@ static const char all[] = "albedo,normal,depth,samples,variance";
 static Channels render(const char *aov, const char *arguments) {
     const char *path = support_path("aov.exr");
     int status = support_run("", "render %s --aov %s --quiet -o '%s'", arguments, aov, path);
-    if (status == STATUS_NO_GL) {
-        print_message("%s", support_err);
-        skip();
-    }
+    if (status == STATUS_NO_GL) support_no_gl(support_err);
     if (status != 0) fail_msg("render %s: %s", arguments, support_err);
     return channels_read(path);
 }

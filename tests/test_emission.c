@@ -16,7 +16,7 @@ static Image render(const char *scene, const char *arguments) {
     Error error;
     int status =
         support_run("", "render '%s' --quiet %s -o '%s'", scene, arguments, support_path("picture.pfm"));
-    if (status == STATUS_NO_GL) skip();
+    if (status == STATUS_NO_GL) support_no_gl(support_err);
     if (status != 0) fail_msg("render %s: %s", arguments, support_err);
     if (!image_read(&image, support_path("picture.pfm"), &error)) fail_msg("%s", error.text);
     return image;

@@ -1,10 +1,5 @@
 /* Pictures in files, and how files are replaced. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "support.h"
 
 #include "base/file.h"
 #include "image/image.h"
@@ -471,5 +466,5 @@ int main(void) {
         cmocka_unit_test(test_png_dither),   TEST_IN_FOLDER(test_replace_failing),
         TEST_IN_FOLDER(test_replace_killed), TEST_IN_FOLDER(test_replace_targets),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests_name("image", tests, NULL, NULL);
 }

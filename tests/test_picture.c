@@ -16,10 +16,7 @@ static Image render(const char *environment, const char *arguments) {
     Error error;
     int status =
         support_run(environment, "render %s --quiet -o '%s'", arguments, support_path("picture.pfm"));
-    if (status == STATUS_NO_GL) {
-        print_message("%s", support_err);
-        skip();
-    }
+    if (status == STATUS_NO_GL) support_no_gl(support_err);
     if (status != 0) fail_msg("render %s: %s", arguments, support_err);
     if (!image_read(&image, support_path("picture.pfm"), &error)) fail_msg("%s", error.text);
     return image;
@@ -229,10 +226,7 @@ static void test_backends_agree(void **state) {
     Error error;
     char renderer[2][384], arguments[256];
     int compared = 0;
-    if (!context_open(&context, "egl", &error)) {
-        print_message("egl: %s\n", error.text);
-        skip();
-    }
+    if (!context_open(&context, "egl", &error)) support_no_gl(error.text);
     snprintf(renderer[0], sizeof renderer[0], "%s %s", context.renderer, context.version);
     context_close(&context);
     for (int i = 0; i < 2; i++) {

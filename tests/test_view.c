@@ -115,5 +115,5 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_orbit), cmocka_unit_test(test_day_of_the_sun), cmocka_unit_test(test_carry),
         cmocka_unit_test(test_curve), cmocka_unit_test(test_words),
     };
-    return cmocka_run_group_tests(tests, support_folder, support_clean);
+    return cmocka_run_group_tests_name("view", tests, support_folder, support_clean);
 }

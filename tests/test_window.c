@@ -375,5 +375,5 @@ int main(int argc, char **argv) {
         cmocka_unit_test_setup_teardown(test_record, start, stop),
         cmocka_unit_test_setup_teardown(test_shadertoy, start, stop),
     };
-    return cmocka_run_group_tests(tests, support_folder, support_clean);
+    return cmocka_run_group_tests_name("window", tests, support_folder, support_clean);
 }

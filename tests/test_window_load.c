@@ -185,5 +185,5 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_storm, start, stop),
     };
-    return cmocka_run_group_tests(tests, support_folder, support_clean);
+    return cmocka_run_group_tests_name("window_load", tests, support_folder, support_clean);
 }

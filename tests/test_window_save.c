@@ -159,5 +159,5 @@ int main(int argc, char **argv) {
         cmocka_unit_test_setup_teardown(test_save_sides, start, stop),
         cmocka_unit_test_setup_teardown(test_inspect, start, stop),
     };
-    return cmocka_run_group_tests(tests, support_folder, support_clean);
+    return cmocka_run_group_tests_name("window_save", tests, support_folder, support_clean);
 }
