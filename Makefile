@@ -30,7 +30,7 @@ SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$
 CASES := $(patsubst %.glsl,$(BUILD)/%,$(wildcard tests/oracle/cases/*.glsl))
 ORACLE := $(BUILD)/tests/oracle/oracle.o $(CASES:%=%_float.o) $(CASES:%=%_double.o)
 
-.PHONY: all demo view check-view measure-view gallery atlas honesty sheets charts test check check-slow check-all lint format deps man clean install FORCE
+.PHONY: all demo view check-view measure-view gallery atlas honesty sheets charts test check check-slow check-all lint format deps clean install FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
@@ -148,16 +148,9 @@ format:
 deps:
 	tools/deps.sh build test lint
 
-# The manual page, made from the table of options.
-man: $(BUILD)/magichour.1
-
-$(BUILD)/magichour.1: $(BUILD)/magichour
-	$< help --man > $@
-
-install: $(BUILD)/magichour $(BUILD)/magichour.1
-	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin share/magichour share/man/man1)
+install: $(BUILD)/magichour
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/magichour
 	install $(BUILD)/magichour $(DESTDIR)$(PREFIX)/bin
-	install -m 644 $(BUILD)/magichour.1 $(DESTDIR)$(PREFIX)/share/man/man1
 	cp -r glsl scenes $(DESTDIR)$(PREFIX)/share/magichour
 
 clean:

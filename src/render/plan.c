@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "choice/auto.h"
+#include "gl/loops.h"
 #include "render/inputs.h"
 #include "render/spheres.h"
 #include "sky/sky.h"
@@ -11,8 +12,9 @@
 
 enum {
     MOST_GROUP_SAMPLES = 16,
-    /* llvmpipe ends all loops of a shader after this many iterations together, without an error. */
-    LOOP_LIMIT = 65535,
+    /* The smallest number of iterations after which a driver is known to end all loops of a shader (llvmpipe
+       before Mesa 25). A draw that needs no more does not ask for the driver's own limit. */
+    LEAST_LOOP_LIMIT = 65535,
     /* "Unlimited" for the loop's sake: Russian roulette lets a path come so far with a probability below
        1e-22. */
     UNLIMITED_HITS = 1000,
@@ -46,23 +48,29 @@ static long hit_iterations(const Plan *plan, const Scene *scene) {
     return 1 + rays * plan->needs.search_iterations + bounds + mirrors + planes + 3 * emitters;
 }
 
-/* Where much is looked for at a hit, "unlimited" is as many hits as the loops allow. */
-static bool choose_group(Plan *plan, const RenderParams *params, Error *error) {
+/* Sets the number of samples of a draw. Where the driver ends loops, "unlimited" is as many hits as its loops
+ * allow. Without a context nothing is drawn, and so nothing is limited. */
+static bool choose_group(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
     const MethodChoice *sky = &plan->sky;
-    long hit = hit_iterations(plan, params->scene);
+    long limit = 0, hit = hit_iterations(plan, params->scene);
     long others = 1 + (sky->table ? 0 : sky->iterations) * (1 + plan->light.method->extra_sky_lookups);
-    long most = (LOOP_LIMIT - others) / hit - 1;
-    if (!params->max_hits && hit > 1 && most > 16 && most < plan->max_hits) plan->max_hits = (int)most;
     long iterations = others + (plan->max_hits + 1L) * hit;
-    if (iterations > LOOP_LIMIT || sky->iterations > LOOP_LIMIT) {
+    bool small = MOST_GROUP_SAMPLES * iterations <= LEAST_LOOP_LIMIT && sky->iterations <= LEAST_LOOP_LIMIT;
+    plan->group_samples = MOST_GROUP_SAMPLES;
+    if (small || !context) return true;
+    if (!loops_probe(&context->gl, &limit, error)) return false;
+    if (!limit) return true;
+    long most = (limit - others) / hit - 1;
+    if (!params->max_hits && hit > 1 && most > 16 && most < plan->max_hits) plan->max_hits = (int)most;
+    iterations = others + (plan->max_hits + 1L) * hit;
+    if (iterations > limit || sky->iterations > limit) {
         return error_set(error, STATUS_USAGE,
                          "--sky %s with --light %s and %d surface hits needs %ld loop iterations a sample; "
-                         "the limit is %d",
+                         "this OpenGL's limit is %ld",
                          sky->text, plan->light.text, plan->max_hits,
-                         iterations > LOOP_LIMIT ? iterations : sky->iterations, LOOP_LIMIT);
+                         iterations > limit ? iterations : sky->iterations, limit);
     }
-    plan->group_samples = MOST_GROUP_SAMPLES;
-    while (plan->group_samples * iterations > LOOP_LIMIT) plan->group_samples /= 2;
+    while (plan->group_samples * iterations > limit) plan->group_samples /= 2;
     return true;
 }
 
@@ -220,8 +228,8 @@ bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, Glsl
     return ok;
 }
 
-bool plan_make(Plan *plan, const RenderParams *params, Error *error) {
+bool plan_make(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
     *plan = (Plan){.max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS};
     return read_needs(params, &plan->needs, error) && plan_choose_methods(plan, params, error) &&
-           choose_group(plan, params, error);
+           choose_group(plan, params, context, error);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "choice/method.h"
+#include "gl/context.h"
 #include "scene/glsl_source.h"
 #include "scene/scene.h"
 
@@ -40,9 +41,10 @@ typedef struct Plan {
     unsigned group_samples; /* that the loops of one draw allow */
 } Plan;
 
-/* All of it. STATUS_USAGE for methods or loops beyond their limits, STATUS_SCENE for what is wrong with the
- * scene. */
-MUST_CHECK bool plan_make(Plan *plan, const RenderParams *params, Error *error);
+/* All of it. `context` is where it will be drawn, and is asked for its limit of loops; NULL for a plan of
+ * which only the text is wanted. STATUS_USAGE for methods or loops beyond their limits, STATUS_SCENE for what
+ * is wrong with the scene. */
+MUST_CHECK bool plan_make(Plan *plan, const RenderParams *params, const Context *context, Error *error);
 
 /* The methods alone, with what auto takes, by plan->needs. */
 MUST_CHECK bool plan_choose_methods(Plan *plan, const RenderParams *params, Error *error);

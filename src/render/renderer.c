@@ -12,7 +12,7 @@
 
 bool renderer_flatten(const RenderParams *params, GlslSource *source, Error *error) {
     Plan plan;
-    return plan_make(&plan, params, error) && plan_flatten(&plan, params, false, source, error);
+    return plan_make(&plan, params, NULL, error) && plan_flatten(&plan, params, false, source, error);
 }
 
 static bool compile(Program *program, const Context *context, const GlslSource *source,
@@ -160,7 +160,7 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
     Plan plan;
     *renderer = (Renderer){.gl = &context->gl, .seed = params->seed, .ozone = scene->atmosphere.ozone > 0};
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
-        !plan_make(&plan, params, error))
+        !plan_make(&plan, params, context, error))
         goto fail;
     follow_plan(renderer, &plan);
     renderer->sky_bias_percent = bias_sky_percent(&plan.sky, scene->sun_elevation_deg, &scene->atmosphere);
