@@ -1,19 +1,26 @@
 #!/bin/sh
-# Installs what is missing, by the system's packages: tools/deps.sh [build] [test] [lint] [atlas]
-# Says what it installs; needs nothing and does nothing when all is there.
+# Installs what is missing, by the system's packages: tools/deps.sh [--missing] [build] [test] [lint] [ci] [figures]
+# Says what it installs; needs nothing and does nothing when all is there. With --missing it installs nothing: it says what
+# is missing and how to install it, and fails. The names are those of Debian 12, Debian 13 and Ubuntu 24.04.
 set -eu
 
 # build: the compilers, the window and picture libraries, and an OpenGL that runs on any machine (Mesa's llvmpipe).
 build="gcc g++ make pkg-config libc6-dev libgl-dev libegl-dev libglfw3-dev libimgui-dev libopenexr-dev libpng-dev libcairo2-dev libegl1 libgl1-mesa-dri"
 # test: the test framework, a display for the windows and hands for them, and GLM for the oracle.
 test="libcmocka-dev xvfb xauth xdotool libglm-dev"
-lint="clang-format glslang-tools git"
-atlas="gnuplot-nox fonts-dejavu-core"
+# lint: what `make lint` asks; ci: what .ci/run asks besides.
+lint="clang-format glslang-tools git shellcheck cppcheck"
+ci="clang"
+# figures: what draws the READMEs' charts and contact sheets.
+figures="gnuplot-nox fonts-dejavu-core"
 # Used where the system still has it; without it the other backends do the work.
 optional="libosmesa6"
 
+only_say=""
+if [ "${1-}" = --missing ]; then only_say=yes && shift; fi
+
 if ! command -v dpkg-query >/dev/null 2>&1; then
-    echo "deps: this is not Debian or Ubuntu; install the equivalents of: $build $test" >&2
+    echo "deps: this is not Debian or Ubuntu; what is needed has other names here than: $build $test" >&2
     exit 0
 fi
 
@@ -25,14 +32,22 @@ for group in "${@:-build}"; do
     build) packages="$build" ;;
     test) packages="$test" ;;
     lint) packages="$lint" ;;
-    atlas) packages="$atlas" ;;
+    ci) packages="$ci" ;;
+    figures) packages="$figures" ;;
     *)
-        echo "deps: unknown group '$group' (known: build, test, lint, atlas)" >&2
+        echo "deps: unknown group '$group' (known: build, test, lint, ci, figures)" >&2
         exit 2
         ;;
     esac
     for package in $packages; do present "$package" || missing="$missing $package"; done
 done
+
+if [ -n "$only_say" ]; then
+    [ -n "$missing" ] || exit 0
+    echo "missing:$missing" >&2
+    echo "\`make deps\` installs them, and so does, as root: apt-get install --no-install-recommends$missing" >&2
+    exit 1
+fi
 
 wanted=""
 for package in $optional; do present "$package" || wanted="$wanted $package"; done

@@ -1,0 +1,40 @@
+# What the READMEs show and claim, made anew: pictures, charts and measurements. Included by the Makefile.
+.PHONY: gallery atlas honesty sheets charts view check-view measure-view
+
+# The README's pictures.
+gallery: all
+	tools/demo.sh $(BUILD)/magichour out/gallery --size 256x256
+	mkdir -p scenes/gallery && cp out/gallery/*.png scenes/gallery
+
+# Charts of every sky method's error, over view and sun and height.
+atlas: all
+	@tools/deps.sh --missing figures
+	tools/atlas.sh $(BUILD)/magichour out/atlas scenes/gallery
+
+# Whether --error keeps its word, over 96 pictures: a quarter of an hour.
+honesty: all
+	tools/honesty.sh $(BUILD)/magichour out/honesty
+
+# Contact sheets of the scenes, the shapes and the materials: a quarter of an hour.
+sheets: all
+	@tools/deps.sh --missing figures
+	tools/sheets.sh $(BUILD)/magichour out/sheets scenes/gallery
+
+# The README's charts of speed against accuracy, measured here; what is measured already is only drawn again.
+charts: all
+	mkdir -p out scenes/gallery
+	$(BUILD)/magichour chart scenes/crater.glsl -o out/charts --time 240
+	for chart in paths sky scale; do for kind in png csv; do \
+		cp out/charts/$$chart.$$kind scenes/gallery/chart-$$chart.$$kind; done; done
+
+# The window, on the paper's scene.
+view: all
+	$(BUILD)/magichour view scenes/crater.glsl
+
+# The window under a storm of events and edits; best with MODE=asan. And its speed on this machine.
+check-view: $(BUILD)/magichour $(BUILD)/tests/test_window_load
+	MAGICHOUR=$$PWD/$< MAGICHOUR_EVENTS=1000 MAGICHOUR_RELOADS=200 \
+	LSAN_OPTIONS=suppressions=$$PWD/tests/lsan.supp:print_suppressions=0 $(BUILD)/tests/test_window_load
+
+measure-view: $(BUILD)/magichour $(BUILD)/tests/test_window_load
+	MAGICHOUR=$$PWD/$< $(BUILD)/tests/test_window_load measure scenes/crater.glsl 640x360
