@@ -1,10 +1,10 @@
-#include "light/surface.glsl"
+// Bounces in the directions that the material draws.
+#include "light/memory_none.glsl"
 
-// Bounces as the material draws them.
-Bounce path_bounce(int hits, Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
-    return material_sample(material, normal, incoming, u, v);
+Bounce path_bounce(INOUT(PathMemory) memory, Path path, Hit hit, Material material, vec2 u, vec2 v) {
+    return material_sample(material, hit.normal, path.ray.direction, u, v);
 }
 
-float path_pdf(int hits, Material material, vec3 normal, vec3 incoming, vec3 outgoing) {
-    return material_pdf(material, normal, incoming, outgoing);
+float path_pdf(PathMemory memory, Path path, Hit hit, Material material, vec3 direction) {
+    return material_pdf(material, hit.normal, path.ray.direction, direction);
 }

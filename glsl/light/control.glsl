@@ -1,26 +1,24 @@
-// --light control: cosine, and on level ground the unblocked sky as control variate.
+// --light control: the cosine's bounces, and on level ground the unblocked sky as a control variate.
 //
-// What level ground would reflect of a sky that nothing blocks is known from its normal alone (irradiance.glsl). The bounce from
-// the first such hit therefore brings, in place of the light L from its direction, L - sky: nothing where it escapes, and where it
-// is blocked, the blocker's light less the sky's behind it. The mean is the same and the open sky's noise is gone. Some of these
-// bounces go toward what may block the sky, where the scene says where that is (bounds). On slopes and in hollows much is blocked,
-// and there the plain cosine does better.
-#include "emission/ask.glsl"
-#include "math/cone.glsl"
+// How much light level ground reflects from a sky that nothing blocks is known from the ground's normal alone (irradiance.glsl). At
+// the first hit on level ground the path counts that known light. In exchange, the bounce from there brings its light L less the
+// sky's radiance behind it: nothing if the bounce escapes; the blocker's light less the light of the sky that it hides if it does not.
+// The mean stays the same, and the noise of the open sky is gone. Some of these bounces go toward the scene's bounds, where the sky
+// may be blocked. On slopes and in hollows much of the sky is blocked, and the plain cosine does better there.
 #include "light/irradiance.glsl"
 #include "light/lambert.glsl"
-#include "light/roulette.glsl"
-#include "light/surface.glsl"
+#include "light/walk.glsl"
+#include "math/cone.glsl"
 #include "math/finite.glsl"
 #include "sun/ask.glsl"
 
 vec3 sky_irradiance_over_pi(vec3 normal);
 
-// How many of the bounces from a piece of level ground go toward a bound, by the square root of the share of the ground's light that
-// the bound may block, up to a limit: what blocks and lies in no bound is left to the others. Of the shares tried, from 0.8 and 0.5 to
-// 12 and 0.9, these took the fewest samples over crater, fences and mirrors.
+// The share of the bounces from level ground that go toward a bound: it grows as the square root of the share of the ground's light
+// that the bound may block, up to a limit. The limit leaves bounces for blockers that lie in no bound. Pairs of values from (0.8, 0.5)
+// to (12, 0.9) were tried; this pair took the fewest samples over crater, fences and mirrors.
 const float BLOCKER_SHARE = 3.0;
-const float BLOCKER_SHARE_MOST = 0.4; // of all bounds together
+const float BLOCKER_SHARE_MOST = 0.4; // all bounds together
 
 float blocker_share(Cone cone, vec3 normal) {
     float sine_squared = cone.one_less_cos * (2.0 - cone.one_less_cos);
@@ -30,13 +28,16 @@ float blocker_share(Cone cone, vec3 normal) {
 
 Cone blocker_cone(int i, vec3 position) {
     vec4 bound = scene_bound(i);
-    return cone_toward(position, vec3(bound), bound.w); // empty from inside of the bound
+    // Empty for a position inside of the bound.
+    return cone_toward(position, vec3(bound), bound.w);
 }
 
 // What a bounce from level ground is drawn with: the cosine, or the cone of one of the bounds.
 struct BlockerChoice {
     bool cosine;
-    vec2 u; // u.x chooses, and stretched serves again: numbers that are spread evenly stay so in each of the parts
+    // For drawing the direction. u.x made the choice, and is stretched to [0, 1) again: evenly spread numbers stay evenly spread in
+    // each part.
+    vec2 u;
     Cone cone;
 };
 
@@ -53,7 +54,7 @@ BlockerChoice blocker_choice(vec3 position, vec3 normal, vec2 u) {
     return choice;
 }
 
-// The density of all parts together, 1/sr.
+// The density of the cosine and the cones together, 1/sr.
 float blocker_pdf(vec3 position, vec3 normal, vec3 direction) {
     float density = 0.0;
     float left = 1.0;
@@ -66,8 +67,8 @@ float blocker_pdf(vec3 position, vec3 normal, vec3 direction) {
     return left * matte_density(dot(direction, normal)) + density;
 }
 
-// A bounce from Lambert's ground, drawn by the cosine, or anew toward the chosen bound; its weight is 0 for a direction into the
-// ground.
+// Takes a bounce that was drawn by Lambert's cosine, and turns it toward the chosen bound if there is one. The weight is 0 for a
+// direction into the ground.
 Bounce blocker_bounce(Bounce bounce, vec3 position, vec3 normal, BlockerChoice choice) {
     if (!choice.cosine) bounce.direction = cone_sample(choice.cone, choice.u);
     bounce.pdf = blocker_pdf(position, normal, bounce.direction);
@@ -75,66 +76,59 @@ Bounce blocker_bounce(Bounce bounce, vec3 position, vec3 normal, BlockerChoice c
     return bounce;
 }
 
-vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
-    vec3 throughput = vec3(1.0);
-    vec3 gathered = vec3(0.0); // at the hits so far
-    int sun = SUN_PICTURED;
-    float share = 1.0; // of the light that the next hit emits
-    // What is looked up about the first level ground is looked up after the loop, once for all neighbours.
-    vec3 known = vec3(0.0);   // the open sky's light on it, over the irradiance
-    vec3 known_normal = vec3(0.0, 1.0, 0.0);
-    vec3 control = vec3(0.0); // what the bounce from there takes off, over the sky's radiance behind it
-    vec3 control_direction = vec3(0.0, 1.0, 0.0);
-    bool controlled = false;
-    bool escaped = false;
-    int hits = 0;
-    int control_hits = 0;
-    bool alive = true;
-    do {
-        Hit hit = surface_hit(ray);
-        escaped = hit.t >= INFINITY;
-        gathered += throughput * emission_met(hit, ray.direction, share);
-        alive = !escaped && hits < max_hits;
-        if (alive) {
-            vec2 u = sequence_pair(sequence);
-            vec2 v = sequence_pair(sequence);
-            Material material = surface_material(hit);
-            bool level = hit.normal.y >= LEVEL_GROUND && !controlled;
-            vec3 toward = emission_direction(hit, sequence);
-            BlockerChoice choice = blocker_choice(hit.position, hit.normal, u);
-            Bounce bounce = material_sample(material, hit.normal, ray.direction, level ? choice.u : u, v);
-            hits += 1;
-            gathered += throughput * sun_reflected(hit, material, ray.direction, max_hits - hits, sequence);
-            sun = sun_after_bounce(sun, hit, material, ray.direction, bounce);
-            bool lambert = bounce.lambert && level;
-            float rival = lambert ? blocker_pdf(hit.position, hit.normal, toward)
-                                  : material_pdf(material, hit.normal, ray.direction, toward);
-            gathered += throughput * emission_reflected(hit, material, ray.direction, toward, rival);
-            if (lambert) {
-                controlled = true;
-                control_hits = hits;
-                known = throughput * bounce.weight;
-                known_normal = hit.normal;
-                bounce = blocker_bounce(bounce, hit.position, hit.normal, choice);
-                control_direction = bounce.direction;
-            }
-            share = emission_share(hit, bounce);
-            throughput *= bounce.weight;
-            ray = ray_from(hit, bounce.direction);
-            float survival = roulette_survival(throughput, hits);
-            alive = !(v.y >= survival);
-            throughput /= alive ? survival : 1.0;
-            if (hits == control_hits) control = alive ? throughput : vec3(0.0);
-        }
-    } while (alive);
-    known *= sky_irradiance_over_pi(known_normal);
-    // The bounce from the level ground that escapes at once brings what is known already.
-    bool open = escaped && controlled && hits == control_hits;
-    vec3 brought = throughput * sky_radiance(ray.direction);
-    vec3 taken = control * sky_radiance(control_direction);
-    vec3 sky = known;
-    if (escaped || !is_finite(brought)) sky += brought;
-    if (controlled) sky -= taken;
-    vec3 disk = escaped ? throughput * sun_escaped(sun, ray.direction) : vec3(0.0);
-    return gathered + (open ? known : sky) + disk;
+// What the path remembers about its first hit on level ground. Looking the sky up is left to path_finish().
+struct PathMemory {
+    // The number of that hit, counted from 1; 0 as long as there was none.
+    int hit;
+    vec3 normal;
+    // The known light there, over the open sky's irradiance.
+    vec3 known;
+    // What the bounce from there takes off, over the sky's radiance in its direction.
+    vec3 control;
+    vec3 direction;
+};
+
+PathMemory path_start() {
+    vec3 up = vec3(0.0, 1.0, 0.0);
+    return PathMemory(0, up, vec3(0.0), vec3(0.0), up);
 }
+
+Bounce path_bounce(INOUT(PathMemory) memory, Path path, Hit hit, Material material, vec2 u, vec2 v) {
+    bool level = hit.normal.y >= LEVEL_GROUND && memory.hit == 0;
+    BlockerChoice choice = blocker_choice(hit.position, hit.normal, u);
+    Bounce bounce = material_sample(material, hit.normal, path.ray.direction, level ? choice.u : u, v);
+    if (level && bounce.lambert) {
+        memory.hit = path.hits + 1;
+        memory.normal = hit.normal;
+        memory.known = path.throughput * bounce.weight;
+        bounce = blocker_bounce(bounce, hit.position, hit.normal, choice);
+        memory.direction = bounce.direction;
+    }
+    return bounce;
+}
+
+float path_pdf(PathMemory memory, Path path, Hit hit, Material material, vec3 direction) {
+    bool level = memory.hit == path.hits + 1;
+    return level ? blocker_pdf(hit.position, hit.normal, direction)
+                 : material_pdf(material, hit.normal, path.ray.direction, direction);
+}
+
+void path_after(INOUT(PathMemory) memory, Path path, bool alive) {
+    if (memory.hit == path.hits) memory.control = alive ? path.throughput : vec3(0.0);
+}
+
+// If the bounce from the level ground escapes at once, what it brings and what it takes off are the same, and the known light is all.
+vec3 path_finish(PathMemory memory, Path path) {
+    bool controlled = memory.hit > 0;
+    bool open = path.escaped && controlled && path.hits == memory.hit;
+    vec3 known = memory.known * sky_irradiance_over_pi(memory.normal);
+    vec3 brought = path.throughput * sky_radiance(path.ray.direction);
+    vec3 taken = memory.control * sky_radiance(memory.direction);
+    vec3 sky = known;
+    if (path.escaped || !is_finite(brought)) sky += brought;
+    if (controlled) sky -= taken;
+    vec3 disk = path.escaped ? path.throughput * sun_escaped(path.sun, path.ray.direction) : vec3(0.0);
+    return path.gathered + (open ? known : sky) + disk;
+}
+
+#include "light/path.glsl"

@@ -1,4 +1,5 @@
-// --light paper: the author's bounce. Not Lambert's: the lobe is 2 cos^3 / pi, so pictures converge to their own.
+// --light paper: the bounce of the paper's author. Its lobe is 2 cos^3 / pi and not Lambert's, so that pictures converge to a result
+// of their own.
 #include "light/bounce_material.glsl"
 #include "light/path.glsl"
 #include "math/sphere_sample.glsl"

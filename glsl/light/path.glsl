@@ -1,49 +1,41 @@
-// The path: rays bounce in the scene, without air between the hits, and whoever escapes brings the sky's radiance back.
+// The path loop, the same for every light method. A ray bounces from hit to hit, and the light of the sun's disk and of lamps is
+// gathered at each. There is no air between the hits. A method includes this file after its PathMemory and the functions that
+// light/walk.glsl lists.
 #include "emission/ask.glsl"
 #include "light/roulette.glsl"
-#include "light/surface.glsl"
+#include "light/walk.glsl"
 #include "sun/ask.glsl"
-#include "math/finite.glsl"
 
-// How paths go on after so many hits before this one, and the density of that, 1/sr.
-Bounce path_bounce(int hits, Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
-float path_pdf(int hits, Material material, vec3 normal, vec3 incoming, vec3 outgoing);
-
-// Radiance that comes back along `ray`, with at most `max_hits` surface hits. The sky is asked once, after the loop,
-// where all of a picture's neighbours ask together.
+// Radiance that comes back along `ray`, with at most `max_hits` surface hits.
 vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
-    vec3 throughput = vec3(1.0);
-    vec3 gathered = vec3(0.0); // at the hits so far
-    int sun = SUN_PICTURED;
-    float share = 1.0; // of the light that the next hit emits
-    int hits = 0;
-    bool escaped = false;
+    Path path = Path(ray, vec3(1.0), vec3(0.0), 0, SUN_PICTURED, 1.0, false);
+    PathMemory memory = path_start();
     bool alive = true;
     do {
-        Hit hit = surface_hit(ray);
-        escaped = hit.t >= INFINITY;
-        gathered += throughput * emission_met(hit, ray.direction, share);
-        alive = !escaped && hits < max_hits;
+        Hit hit = surface_hit(path.ray);
+        path.escaped = hit.t >= INFINITY;
+        path.gathered += path.throughput * emission_met(hit, path.ray.direction, path.lamp_share);
+        alive = !path.escaped && path.hits < max_hits;
         if (alive) {
+            vec3 incoming = path.ray.direction;
             vec2 u = sequence_pair(sequence);
             vec2 v = sequence_pair(sequence);
             Material material = surface_material(hit);
-            Bounce bounce = path_bounce(hits, material, hit.normal, ray.direction, u, v);
-            gathered += throughput * sun_reflected(hit, material, ray.direction, max_hits - hits - 1, sequence);
-            sun = sun_after_bounce(sun, hit, material, ray.direction, bounce);
-            vec3 toward = emission_direction(hit, sequence);
-            float rival = path_pdf(hits, material, hit.normal, ray.direction, toward);
-            hits += 1;
-            gathered += throughput * emission_reflected(hit, material, ray.direction, toward, rival);
-            share = emission_share(hit, bounce);
-            throughput *= bounce.weight;
-            ray = ray_from(hit, bounce.direction);
-            float survival = roulette_survival(throughput, hits);
+            Bounce bounce = path_bounce(memory, path, hit, material, u, v);
+            path.gathered += path.throughput * sun_reflected(hit, material, incoming, max_hits - path.hits - 1, sequence);
+            path.sun = sun_after_bounce(path.sun, hit, material, incoming, bounce);
+            vec3 lamp = emission_direction(hit, sequence);
+            float lamp_pdf = path_pdf(memory, path, hit, material, lamp);
+            path.gathered += path.throughput * emission_reflected(hit, material, incoming, lamp, lamp_pdf);
+            path.lamp_share = emission_share(hit, bounce);
+            path.throughput *= bounce.weight;
+            path.ray = ray_from(hit, bounce.direction);
+            path.hits += 1;
+            float survival = roulette_survival(path.throughput, path.hits);
             alive = !(v.y >= survival);
-            throughput /= alive ? survival : 1.0;
+            path.throughput /= alive ? survival : 1.0;
+            path_after(memory, path, alive);
         }
     } while (alive);
-    // A path that ended in the scene brings no sky, but for what is not finite: that must be seen and counted.
-    vec3 brought = throughput * (sky_radiance(ray.direction) + sun_escaped(sun, ray.direction));
-    return escaped || !is_finite(brought) ? gathered + brought : gathered;
+    return path_finish(memory, path);
 }

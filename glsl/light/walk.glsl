@@ -1,0 +1,34 @@
+// A path on its way through the scene, and the functions that a light method defines about it. light/path.glsl holds the loop that
+// calls them.
+#include "light/surface.glsl"
+
+struct Path {
+    // The ray that looks for the next hit.
+    Ray ray;
+    // What light that comes back along the ray is worth in the pixel.
+    vec3 throughput;
+    // Radiance that the hits so far brought to the pixel.
+    vec3 gathered;
+    // Number of hits so far.
+    int hits;
+    // Who has counted the sun's disk already (sun/ask.glsl).
+    int sun;
+    // Share of the light emitted at the next hit that the ray counts. Lamps that are sampled have counted the rest.
+    float lamp_share;
+    // Whether the last ray left the scene.
+    bool escaped;
+};
+
+// A method defines `struct PathMemory`, which holds what it remembers from hit to hit, and five functions about it:
+//
+//     PathMemory path_start()
+//         The memory of a path that has no hit yet.
+//     Bounce path_bounce(INOUT(PathMemory) memory, Path path, Hit hit, Material material, vec2 u, vec2 v)
+//         Draws the direction in which the path goes on from `hit`. `path` is as it came: `path.hits` does not count this hit.
+//     float path_pdf(PathMemory memory, Path path, Hit hit, Material material, vec3 direction)
+//         The density, 1/sr, with which the path_bounce() just called takes a direction.
+//     void path_after(INOUT(PathMemory) memory, Path path, bool alive)
+//         Called when the bounce is done: `path` is at the start of its next ray, or was ended by Russian roulette.
+//     vec3 path_finish(PathMemory memory, Path path)
+//         The radiance of the whole path: what it gathered, and what the sky and the sun's disk bring. It is called after the loop,
+//         where neighbouring pixels look the sky up together.
