@@ -1,9 +1,10 @@
-// Every hit looks for light in the directions of one of the spheres that the scene names (`emitter-sphere`), and so may its bounce:
-// multiple importance sampling by the balance heuristic (Veach 1997).
+// Every hit sends a ray toward one of the spheres that the scene names as emitters (`emitter-sphere`), and its bounce may find the
+// same light. The two are weighed by multiple importance sampling with the balance heuristic (Veach 1997).
 //
-// A sphere is a hint: whatever emits in its directions is found, and what emits elsewhere is left to the bounces, so that wrong ones
-// do no harm.
+// A sphere is a hint. Whatever emits in its directions is found, and what emits elsewhere is left to the bounces, so that a wrong hint
+// costs time and does not change the mean.
 #include "emission/met.glsl"
+#include "light/through.glsl"
 #include <emitter-spheres>
 #include "emission/cones.glsl"
 
@@ -17,7 +18,8 @@ vec3 emission_reflected(Hit hit, Material material, vec3 incoming, vec3 directio
     vec3 reflected = vec3(0.0);
     if (pdf > 0.0 && max(value.x, max(value.y, value.z)) > 0.0) {
         Ray ray = ray_from(hit, direction);
-        reflected = value * emission_met(surface_hit(ray), direction, 1.0 / (pdf + bounce_pdf));
+        Hit lamp = surface_hit(ray);
+        reflected = value * emission_met(lamp, direction, 1.0 / (pdf + bounce_pdf)) * light_through(ray, lamp.t);
     }
     return reflected;
 }

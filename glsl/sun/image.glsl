@@ -1,6 +1,7 @@
-// The sun's own image in the picture: seen directly, and in the mirror spheres that the scene names. It is as small as a pixel or
-// smaller, and brighter by 1e5 than all else, so that nothing about it may be left to chance. Compiled into a program of its own that is
-// drawn on the few pixels where the image may be.
+// The sun's own image in the picture: seen directly, and in the mirror spheres that the scene names. The image is as small as a pixel
+// or smaller and 1e5 times as bright as all else, so that finding it must not depend on luck. It is compiled into a program of its
+// own, which is drawn on the few pixels where the image may be.
+#include "light/through.glsl"
 #include "pass/camera.glsl"
 #include "pass/sun_disk.glsl"
 #include <mirrors-image>
@@ -9,26 +10,22 @@ uniform sampler2D sun_image_cover; // mean radiance that the unblocked disk brin
 uniform vec3 sun_image_corner;     // its first pixel
 uniform vec3 sun_image_heart;      // a point well inside of the visible disk, in pixels
 
-bool sun_image_open(Ray ray) {
-    return surface_hit(ray).t >= INFINITY;
-}
-
-// Directly: what the pixel would see of the unblocked disk is known exactly. Whether the scene blocks it is guessed by one point of the
-// pixel, the nearest to the disk's heart, and where a sample contradicts the guess it makes up for it: unbiased, and without
-// noise wherever the pixel's part of the disk is all open or all blocked.
+// The disk seen directly. What the pixel would see of the unblocked disk is known exactly. One point of the pixel, the nearest to the
+// disk's heart, guesses how much of it the scene lets through. Where a sample contradicts the guess, the difference is added. The
+// result is unbiased, and has no noise wherever the pixel's part of the disk is all open or all blocked.
 vec3 sun_image_direct(vec2 pixel, vec2 u) {
     ivec2 at = ivec2(pixel) - ivec2(sun_image_corner.xy);
     ivec2 size = textureSize(sun_image_cover, 0);
     bool covered = at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
     vec3 cover = covered ? texelFetch(sun_image_cover, clamp(at, ivec2(0), size - 1), 0).rgb : vec3(0.0);
     vec2 nearest = clamp(vec2(sun_image_heart.x, sun_image_heart.y) - pixel, vec2(0.0), vec2(1.0));
-    float guess = covered && sun_image_open(camera_ray(pixel, nearest)) ? 1.0 : 0.0;
+    vec3 guess = covered ? light_arriving(camera_ray(pixel, nearest)) : vec3(0.0);
     Ray ray = camera_ray(pixel, u);
-    float seen = sun_image_open(ray) ? 1.0 : 0.0;
+    vec3 seen = light_arriving(ray);
     return guess * cover + (seen - guess) * sun_radiance(ray.direction);
 }
 
-// Of one sample of the pixel.
+// The image's radiance in one sample of the pixel.
 vec3 sun_image(uvec2 pixel, uint index, uint seed) {
     Sequence sequence = sequence_start(pixel.x, pixel.y, index, seed ^ 0x5bd1e995u);
     return sun_image_direct(vec2(pixel), sequence_pair(sequence)) + mirrors_image(vec2(pixel), index, seed);

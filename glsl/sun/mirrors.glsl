@@ -2,7 +2,7 @@
 //
 // A name is a hint, and wrong ones do no harm: the ray toward the reflection point must find a mirror there, on that sphere.
 // What is found this way and what mirrors_know() claims are the same light, so that it is counted once.
-#include "light/surface.glsl"
+#include "light/through.glsl"
 #include "material/mirror.glsl"
 #include "sun/mirror_sphere.glsl"
 #include <mirror-spheres>
@@ -38,8 +38,8 @@ vec3 mirror_tint(int i, Ray ray, vec3 toward) {
     vec3 tint = vec3(0.0);
     if (seen.t < INFINITY && mirror_sphere_at(seen) == i) {
         Material material = scene_material(seen);
-        bool blocked = surface_hit(ray_from(seen, toward)).t < INFINITY;
-        tint = material.kind == MATERIAL_MIRROR && !blocked ? material.color : vec3(0.0);
+        vec3 through = light_through(ray, seen.t) * light_arriving(ray_from(seen, toward));
+        tint = material.kind == MATERIAL_MIRROR ? material.color * through : vec3(0.0);
     }
     return tint;
 }

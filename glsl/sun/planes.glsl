@@ -3,7 +3,7 @@
 //
 // A name is a hint, and wrong ones do no harm: the ray that goes there must meet just those mirrors and leave the scene. What is found
 // this way and what planes_know() claims are the same light, so that it is counted once.
-#include "light/surface.glsl"
+#include "light/through.glsl"
 #include "material/mirror.glsl"
 #include <mirror-planes>
 
@@ -69,13 +69,13 @@ vec3 planes_reflect(Hit hit, Material material, vec3 incoming, vec3 toward, int 
                 if (open) {
                     Material mirror = scene_material(seen);
                     open = mirror.kind == MATERIAL_MIRROR;
-                    reflected *= mirror.color;
+                    reflected *= mirror.color * light_through(ray, seen.t);
                     ray = ray_from(seen, reflect(ray.direction, seen.normal));
                 }
             }
         }
-        open = open && surface_hit(ray).t >= INFINITY;
-        reflected *= open ? sun_solid_angle() / share * sun_radiance(ray.direction) : vec3(0.0);
+        vec3 sun = sun_solid_angle() / share * sun_radiance(ray.direction);
+        reflected *= open ? sun * light_arriving(ray) : vec3(0.0);
     } else {
         reflected = vec3(0.0);
     }

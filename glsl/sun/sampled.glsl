@@ -1,6 +1,6 @@
 // --sun sampled: every hit looks for the disk itself, straight and by way of the mirror spheres and the flat mirrors that the scene
 // names. What those cannot find, such as by way of a sphere and another mirror, is left to chance.
-#include "light/surface.glsl"
+#include "light/through.glsl"
 #include "pass/sun_disk.glsl"
 #include "sun/ask.glsl"
 #include <mirrors>
@@ -13,8 +13,7 @@ vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT
     vec3 value = material_value(material, hit.normal, incoming, toward);
     vec3 reflected = vec3(0.0);
     if (max(value.x, max(value.y, value.z)) > 0.0) {
-        bool blocked = surface_hit(ray_from(hit, toward)).t < INFINITY;
-        reflected = blocked ? vec3(0.0) : value * irradiance;
+        reflected = value * irradiance * light_arriving(ray_from(hit, toward));
     }
     if (mirrors > 0) {
         reflected += mirrors_reflect(hit, material, incoming, toward, irradiance, sequence);
