@@ -39,7 +39,7 @@ LIBRARY := $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(LEFT_OUT),$(wildcard tests/test_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$(wildcard tests/*.c)))
 
-.PHONY: all tests demo test check check-slow check-all lint format deps install uninstall clean compile_commands.json FORCE
+.PHONY: all tests demo test check check-slow check-all lint format deps man install uninstall clean compile_commands.json FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
@@ -104,17 +104,24 @@ compile_commands.json:
 		printf "%s\n{\"directory\": \"%s\", \"file\": \"%s\", \"command\": \"%s\"}", n++ ? "," : "[", folder, $$NF, $$0 } \
 		END { print "\n]" }' > $@
 
+# The manual page, made from the table of options.
+man: $(BUILD)/magichour.1
+
+$(BUILD)/magichour.1: $(BUILD)/magichour
+	$< help --man > $@
+
 # The README's pictures, scenes/gallery, stay behind.
 SHARE := $(DESTDIR)$(PREFIX)/share
-install: all
-	install -d $(DESTDIR)$(PREFIX)/bin $(SHARE)/magichour/scenes $(SHARE)/doc/magichour
+install: all man
+	install -d $(DESTDIR)$(PREFIX)/bin $(SHARE)/magichour/scenes $(SHARE)/doc/magichour $(SHARE)/man/man1
 	install $(BUILD)/magichour $(DESTDIR)$(PREFIX)/bin
+	install -m 644 $(BUILD)/magichour.1 $(SHARE)/man/man1
 	cp -r glsl $(SHARE)/magichour
 	cp scenes/*.* $(SHARE)/magichour/scenes
 	install -m 644 LICENSE README.md CHANGES.md $(SHARE)/doc/magichour
 
 uninstall:
-	rm -rf $(DESTDIR)$(PREFIX)/bin/magichour $(SHARE)/magichour $(SHARE)/doc/magichour
+	rm -rf $(DESTDIR)$(PREFIX)/bin/magichour $(SHARE)/magichour $(SHARE)/doc/magichour $(SHARE)/man/man1/magichour.1
 
 clean:
 	rm -rf build

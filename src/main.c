@@ -1,7 +1,24 @@
 #include "base/version.h"
 #include "cmd/cmd.h"
+#include "cmd/help.h"
+#include "cmd/terminal.h"
 
 #include <stdio.h>
+#include <unistd.h>
+
+/* The program's own words about itself. */
+static Status answer(const Options *options) {
+    Text text = {0};
+    if (options->version)
+        text_print(&text, "magichour " MAGICHOUR_VERSION "\n");
+    else if (options->manual)
+        help_print_manual(&text);
+    else
+        help_print(options->command, terminal_columns(STDOUT_FILENO), &text);
+    fputs(text_string(&text), stdout);
+    text_free(&text);
+    return STATUS_DONE;
+}
 
 static Status run(const Options *options, int argc, char **argv, Error *error) {
     switch (options->command) {
@@ -21,6 +38,7 @@ static Status run(const Options *options, int argc, char **argv, Error *error) {
         return cmd_chart(options, error);
     case COMMAND_EXPLAIN:
         return cmd_explain(options, error);
+    case COMMAND_HELP:
     case COMMAND_NONE:
         break;
     }
@@ -33,12 +51,8 @@ int main(int argc, char **argv) {
     Status status;
     if (!options_parse(&options, argc, argv, &error)) {
         status = error.status;
-    } else if (options.help) {
-        options_print_help(options.command);
-        status = STATUS_DONE;
-    } else if (options.version) {
-        puts("magichour " MAGICHOUR_VERSION);
-        status = STATUS_DONE;
+    } else if (options.help || options.version) {
+        status = answer(&options);
     } else {
         status = run(&options, argc, argv, &error);
     }

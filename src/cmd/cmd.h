@@ -1,7 +1,7 @@
 /* The commands: each composes the modules below for one word of the command line. */
 #pragma once
 
-#include "base/options.h"
+#include "cmd/options.h"
 
 /* Each returns the exit status for success (0, 6, 130), or sets the error and returns its status. */
 Status cmd_render(const Options *options, int argc, char **argv, Error *error);

@@ -3,10 +3,12 @@
 #include "base/clock.h"
 #include "base/json.h"
 #include "cmd/progress.h"
+#include "cmd/terminal.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { BAR = 24 };
 
@@ -35,7 +37,7 @@ void gauge_report(void *state, double share, const char *words) {
         snprintf(line, sizeof line, "[%.*s%.*s] %3.0f %%, %.0f s, %s", filled, "########################",
                  BAR - filled, "                        ", 100 * share, seconds, words);
         /* Cut to the window, or the line would wrap and scroll at each report. */
-        fprintf(stderr, "\r%.*s\033[K", progress_columns() - 1, line);
+        fprintf(stderr, "\r%.*s\033[K", terminal_columns(STDERR_FILENO) - 1, line);
         gauge->line = true;
     }
 }

@@ -1,7 +1,7 @@
 /* How far a long measurement is: a bar on a terminal, or JSON lines, on standard error. */
 #pragma once
 
-#include "base/options.h"
+#include "cmd/options.h"
 
 typedef struct Gauge {
     bool json, bar;

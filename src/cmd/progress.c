@@ -1,12 +1,12 @@
 #include "cmd/progress.h"
 
 #include "base/json.h"
+#include "cmd/terminal.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 Progress progress_start(const Options *options) {
@@ -18,11 +18,6 @@ Progress progress_start(const Options *options) {
         progress.kind = PROGRESS_TTY;
     }
     return progress;
-}
-
-int progress_columns(void) {
-    struct winsize size;
-    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
 static double seconds_left(const ProgressFigures *figures) {
@@ -50,7 +45,7 @@ static void report_terminal(Progress *progress, const ProgressFigures *figures) 
     snprintf(line, sizeof line, "%s%.0f%s samples, %.1f Mpaths/s%s", reached, figures->samples, target,
              1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), left);
     /* Cut to the window, or the line would wrap and scroll at each report. */
-    fprintf(stderr, "\r%.*s\033[K", progress_columns() - 1, line);
+    fprintf(stderr, "\r%.*s\033[K", terminal_columns(STDERR_FILENO) - 1, line);
     progress->line = true;
 }
 

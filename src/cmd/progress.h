@@ -1,7 +1,7 @@
 /* How far a rendering is: a line on a terminal, or JSON lines, on standard error. */
 #pragma once
 
-#include "base/options.h"
+#include "cmd/options.h"
 
 #include <stdint.h>
 
@@ -34,6 +34,3 @@ Progress progress_start(const Options *options);
 
 /* Reports at most ten times a second, and always when done. */
 void progress_report(Progress *progress, const ProgressFigures *figures);
-
-/* Columns of the terminal, to cut lines to. */
-int progress_columns(void);

@@ -2,7 +2,7 @@
  * made. */
 #pragma once
 
-#include "base/options.h"
+#include "cmd/options.h"
 #include "scene/scene.h"
 
 /* The GLSL library's folder: --glsl-dir, else the first glsl/ (or share/magichour/glsl/) found going up from

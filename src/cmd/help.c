@@ -1,0 +1,154 @@
+#include "cmd/help.h"
+
+#include "base/version.h"
+#include "cmd/option_table.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char program_about[] = "a progressive renderer for small scenes under a physical sky";
+
+static const struct {
+    Status status;
+    const char *meaning;
+} statuses[] = {
+    {STATUS_DONE, "done"},
+    {STATUS_FAILURE, "failure while running"},
+    {STATUS_USAGE, "wrong command line"},
+    {STATUS_SCENE, "wrong scene or shader"},
+    {STATUS_NO_GL, "no OpenGL"},
+    {STATUS_OUTPUT, "output not written"},
+    {STATUS_COMPARISON, "comparison past its bound"},
+    {STATUS_INTERRUPTED, "interrupted, with the picture saved"},
+};
+enum { STATUSES = sizeof statuses / sizeof *statuses };
+
+/* Prints words in lines that end before column `columns`. The first word stands at column `column`, further
+ * lines begin at column `indent`. */
+static void print_wrapped(const char *words, int column, int indent, int columns, Text *out) {
+    bool first = true;
+    while (*words) {
+        int length = (int)strcspn(words, " ");
+        if (!first && column + 1 + length > columns) {
+            text_print(out, "\n%*s", indent, "");
+            column = indent;
+        } else if (!first) {
+            text_print(out, " ");
+            column++;
+        }
+        text_print(out, "%.*s", length, words);
+        column += length;
+        words += length;
+        words += strspn(words, " ");
+        first = false;
+    }
+    text_print(out, "\n");
+}
+
+/* A row of two columns. A left side that does not fit has a line of its own. */
+static void print_row(const char *left, int indent, const char *right, int columns, Text *out) {
+    if ((int)strlen(left) > indent - 4)
+        text_print(out, "  %s\n%*s", left, indent, "");
+    else
+        text_print(out, "  %-*s", indent - 2, left);
+    print_wrapped(right, indent, indent, columns, out);
+}
+
+/* "--size WxH", "--sun-disk[=METHOD]", "-h, --help". */
+static void option_words(const OptionRow *row, char *words, size_t size) {
+    snprintf(words, size, "%s%s%s%s%s", row->alias ? row->alias : "", row->alias ? ", " : "", row->name,
+             row->argument && row->kind != OPTION_OPTIONAL ? " " : "", row->argument ? row->argument : "");
+}
+
+static void print_program(int columns, Text *out) {
+    text_print(out, "magichour: ");
+    print_wrapped(program_about, 11, 0, columns, out);
+    text_print(out, "\nmagichour COMMAND [options]\n");
+    for (int i = 0; i < command_table_size; i++)
+        print_row(command_table[i].name, 12, command_table[i].about, columns, out);
+    text_print(out, "\n");
+    print_wrapped("magichour help COMMAND lists a command's options. magichour --version tells the version.",
+                  0, 0, columns, out);
+    text_print(out, "\nExit status:\n");
+    for (int i = 0; i < STATUSES; i++) text_print(out, "  %-4d%s\n", statuses[i].status, statuses[i].meaning);
+}
+
+static void print_group(Command command, OptionGroup group, int columns, Text *out) {
+    bool named = false;
+    for (int i = 0; i < option_table_size; i++) {
+        const OptionRow *row = &option_table[i];
+        char left[40];
+        if (row->group != group || !(row->commands & (int)command)) continue;
+        if (!named) text_print(out, "\n%s\n", option_group_names[group]);
+        named = true;
+        option_words(row, left, sizeof left);
+        print_row(left, columns < 72 ? 8 : 26, row->help, columns, out);
+    }
+}
+
+void help_print(Command command, int columns, Text *out) {
+    if (columns < 48) columns = 48;
+    const CommandRow *row = command_find(command);
+    if (!row) {
+        print_program(columns, out);
+        return;
+    }
+    text_print(out, "magichour %s\n", row->usage);
+    print_wrapped(row->about, 0, 0, columns, out);
+    for (int group = 0; group < OPTION_GROUPS; group++)
+        print_group(command, (OptionGroup)group, columns, out);
+}
+
+/* Words as man(7) takes them: a hyphen that is typed as such, no macro at a line's start. */
+static void print_manual_words(const char *words, Text *out) {
+    for (const char *c = words; *c; c++) {
+        if (*c == '-')
+            text_print(out, "\\-");
+        else if (*c == '\\')
+            text_print(out, "\\e");
+        else if ((*c == '.' || *c == '\'') && (c == words || c[-1] == '\n'))
+            text_print(out, "\\&%c", *c);
+        else
+            text_append(out, c, 1);
+    }
+}
+
+static void print_manual_option(const OptionRow *row, Text *out) {
+    char words[40];
+    option_words(row, words, sizeof words);
+    text_print(out, ".TP\n.B ");
+    print_manual_words(words, out);
+    text_print(out, "\n");
+    print_manual_words(row->help, out);
+    text_print(out, "\n(");
+    bool first = true;
+    for (int i = 0; i < command_table_size; i++) {
+        if (!(row->commands & (int)command_table[i].command)) continue;
+        text_print(out, "%s%s", first ? "" : ", ", command_table[i].name);
+        first = false;
+    }
+    text_print(out, ")\n");
+}
+
+void help_print_manual(Text *out) {
+    text_print(out, ".TH MAGICHOUR 1 \"\" \"magichour " MAGICHOUR_VERSION "\"\n.SH NAME\nmagichour \\- ");
+    print_manual_words(program_about, out);
+    text_print(out, "\n.SH SYNOPSIS\n.B magichour\n.I COMMAND\n[options]\n.SH COMMANDS\n");
+    for (int i = 0; i < command_table_size; i++) {
+        text_print(out, ".TP\n.B magichour ");
+        print_manual_words(command_table[i].usage, out);
+        text_print(out, "\n");
+        print_manual_words(command_table[i].about, out);
+        text_print(out, "\n");
+    }
+    text_print(out, ".SH OPTIONS\nThe commands that take an option stand below it, in parentheses.\n");
+    for (int group = 0; group < OPTION_GROUPS; group++) {
+        text_print(out, ".SS %s\n", option_group_names[group]);
+        for (int i = 0; i < option_table_size; i++) {
+            if (option_table[i].group == (OptionGroup)group) print_manual_option(&option_table[i], out);
+        }
+    }
+    text_print(out, ".SH EXIT STATUS\n");
+    for (int i = 0; i < STATUSES; i++)
+        text_print(out, ".TP\n.B %d\n%s\n", statuses[i].status, statuses[i].meaning);
+}

@@ -1,0 +1,129 @@
+#include "cmd/option_table.h"
+
+#include "cmd/option_values.h"
+
+const CommandRow command_table[] = {
+    {COMMAND_RENDER, "render", "render SCENE -o FILE [options]", "render a scene offscreen", 1, 1},
+    {COMMAND_VIEW, "view", "view SCENE [options]", "a window: move the sun and the camera, edit the scene", 1,
+     1},
+    {COMMAND_SKY, "sky", "sky -o FILE | --at FILE.csv [options]",
+     "the sky alone: a lat-long map, or listed directions", 0, 0},
+    {COMMAND_COMPARE, "compare", "compare A B [options]", "errors of picture A against the reference B", 2,
+     2},
+    {COMMAND_INFO, "info", "info [SCENE] [options]", "backends, methods, atmospheres; a scene's parameters",
+     0, 1},
+    {COMMAND_FLATTEN, "flatten", "flatten SCENE [options]",
+     "print the shader that a scene and its methods make", 1, 1},
+    {COMMAND_CHART, "chart", "chart SCENE -o DIR [options]",
+     "measure speed against accuracy on this machine, and draw it", 1, 1},
+    {COMMAND_EXPLAIN, "explain", "explain SCENE [options]",
+     "what a scene needs: the change and the cost of each term of the model", 1, 1},
+    {COMMAND_HELP, "help", "help [COMMAND]", "the commands, or a command's options", 0, 1},
+};
+const int command_table_size = sizeof command_table / sizeof *command_table;
+
+const char *const option_group_names[OPTION_GROUPS] = {"Output", "Sun and sky", "Accuracy", "Methods",
+                                                       "Other"};
+
+enum {
+    R = COMMAND_RENDER,
+    V = COMMAND_VIEW,
+    C = COMMAND_COMPARE,
+    I = COMMAND_INFO,
+    F = COMMAND_FLATTEN,
+    S = COMMAND_SKY,
+    H = COMMAND_CHART,
+    E = COMMAND_EXPLAIN,
+    ALL = R | V | C | I | F | S | H | E | COMMAND_HELP
+};
+
+/* A row's kind, function and place. */
+#define TAKE(function) OPTION_TAKE, function, 0
+#define STRING(member) OPTION_STRING, NULL, offsetof(Options, member)
+#define OPTIONAL(member) OPTION_OPTIONAL, NULL, offsetof(Options, member)
+#define FLAG(member) OPTION_FLAG, NULL, offsetof(Options, member)
+
+const OptionRow option_table[] = {
+    {GROUP_OUTPUT, "-o", "FILE", R | S, TAKE(take_output),
+     "write the picture: .exr, .png or .pfm; may be repeated", NULL},
+    {GROUP_OUTPUT, "-o", "DIR", H, TAKE(take_output),
+     "the folder for CSV, SVG, PNG and the reference; made if need be", NULL},
+    {GROUP_OUTPUT, "--size", "WxH", H, TAKE(take_size), "picture size in pixels; 256x256 by default", NULL},
+    {GROUP_OUTPUT, "--size", "WxH", E, TAKE(take_size), "picture size in pixels; 128x128 by default", NULL},
+    {GROUP_OUTPUT, "--size", "WxH", R | V | S, TAKE(take_size),
+     "picture size in pixels; the scene's by default", NULL},
+    {GROUP_OUTPUT, "--exposure", "EV", R | V | S, TAKE(take_exposure),
+     "for .png: radiance times 2^EV; the scene's by default", NULL},
+    {GROUP_OUTPUT, "--tone", "CURVE", R | S, TAKE(take_tone), "for .png: author or none; author by default",
+     NULL},
+    {GROUP_OUTPUT, "--aov", "LIST", R, STRING(aov),
+     "layers of .exr, some of albedo,normal,depth,samples,variance", NULL},
+    {GROUP_OUTPUT, "--record", "DIR", V, STRING(record),
+     "plays a day into DIR/frame-00001.png ..., 64 samples each if --spp is not given", NULL},
+    {GROUP_OUTPUT, "--at", "FILE.csv", S, STRING(at),
+     "radiances for rows height_m,sun_el_deg,view_el_deg,az_deg (azimuth from the sun's), as CSV", NULL},
+    {GROUP_OUTPUT, "--charts", "LIST", H, STRING(charts), "some of paths,sky,scale; all by default", NULL},
+    {GROUP_OUTPUT, "--mask", "FILE", C, STRING(mask), "compare only where this picture's red is above 0.5",
+     NULL},
+
+    {GROUP_SKY, "--sun", "EL[,AZ]", R | V | S | H | E, TAKE(take_sun),
+     "the sun's elevation and azimuth (from +z toward +x), degrees", NULL},
+    {GROUP_SKY, "--sun-disk", "[=METHOD]", R | V | F | S | H | E, OPTIONAL(sun_disk),
+     "the sun itself, 0.2666 degrees in radius: sampled, chance or off; on if a scene says so", NULL},
+    {GROUP_SKY, "--atmosphere", "NAME", R | V | S | F | H | E, STRING(atmosphere),
+     "a preset of the atmosphere (see info)", NULL},
+    {GROUP_SKY, "--preset", "NAME", R | V | F | H | E, STRING(preset), "one of the scene's presets", NULL},
+    {GROUP_SKY, "--set", "NAME=VALUE", R | V | S | F | I | H | E, TAKE(take_setting),
+     "a scene's parameter, sun.elevation, atmosphere.mie_g, ...; may be repeated", NULL},
+
+    {GROUP_ACCURACY, "--error", "PERCENT", R, TAKE(take_error),
+     "stop when the estimated relRMSE is this; 1 by default, unless --spp or --time is given", NULL},
+    {GROUP_ACCURACY, "--error", "PERCENT", H, TAKE(take_error), "where auto's choice is marked; 1 by default",
+     NULL},
+    {GROUP_ACCURACY, "--error", "PERCENT", E, TAKE(take_error),
+     "what changes the picture by more is needed; 1 by default", NULL},
+    {GROUP_ACCURACY, "--time", "SECONDS", R, TAKE(take_seconds),
+     "stop after this time, with whole groups of samples", NULL},
+    {GROUP_ACCURACY, "--time", "SECONDS", H, TAKE(take_seconds),
+     "to measure in, about; 150 by default, compilation not counted", NULL},
+    {GROUP_ACCURACY, "--spp", "N", R, TAKE(take_samples), "take so many samples of every pixel", NULL},
+    {GROUP_ACCURACY, "--spp", "N", V, TAKE(take_samples),
+     "samples per pixel, after which the picture rests; a million by default", NULL},
+    {GROUP_ACCURACY, "--seed", "N", R | V, TAKE(take_seed), "of all random numbers; 0 by default", NULL},
+    {GROUP_ACCURACY, "--depth", "N", R | V | H | E, TAKE(take_depth),
+     "at most N surface hits; 0, the default, is unlimited", NULL},
+    {GROUP_ACCURACY, "--max-relrmse", "PERCENT", C, TAKE(take_max_relrmse),
+     "exit with 6 if the relRMSE is above this", NULL},
+    {GROUP_ACCURACY, "--max-bias", "PERCENT", C, TAKE(take_max_bias),
+     "exit with 6 if a channel's bias is beyond this", NULL},
+    {GROUP_ACCURACY, "--se", "FILE", C, STRING(standard_error),
+     "standard errors of the difference: prints mean z^2 and the share of |z| > 4", NULL},
+
+    {GROUP_METHODS, "--sky", "METHOD", R | V | F | S, STRING(sky),
+     "table[:METHOD], gauss[:n], paper[:NxM] or uniform[:L]", NULL},
+    {GROUP_METHODS, "--light", "METHOD", R | V | F, STRING(light),
+     "control, cosine, mis or paper; by default mis for a low sun, control where the sky is a table and the "
+     "scene has bounds, or else cosine",
+     NULL},
+    {GROUP_METHODS, "--sequence", "METHOD", R | V | F, STRING(sequence),
+     "sobol, additive or random; sobol by default", NULL},
+
+    {GROUP_OTHER, "--backend", "NAME", R | I | S | H | E, STRING(backend), "auto, egl, osmesa or glfw", NULL},
+    {GROUP_OTHER, "--glsl-dir", "DIR", R | V | I | F | S | H | E, STRING(glsl_dir),
+     "the GLSL library, in place of the one beside the program", NULL},
+    {GROUP_OTHER, "--progress", "KIND", R | V | H | E, TAKE(take_progress),
+     "tty, json or none; tty on a terminal, else none (view: json or none)", NULL},
+    {GROUP_OTHER, "--quiet", NULL, R | S | H | E, FLAG(quiet), "no summary, no progress", NULL},
+    {GROUP_OTHER, "-v", NULL, R, FLAG(verbose), "say what is chosen and why", NULL},
+    {GROUP_OTHER, "--man", NULL, COMMAND_HELP, FLAG(manual), "all of this as a manual page", NULL},
+    {GROUP_OTHER, "--help", NULL, ALL, FLAG(help), "this text", "-h"},
+    {GROUP_OTHER, "--version", NULL, ALL, FLAG(version), "the program's version", NULL},
+};
+const int option_table_size = sizeof option_table / sizeof *option_table;
+
+const CommandRow *command_find(Command command) {
+    for (int i = 0; i < command_table_size; i++) {
+        if (command_table[i].command == command) return &command_table[i];
+    }
+    return NULL;
+}

@@ -1,0 +1,62 @@
+/* The one table of commands and options, which parsing, help and the manual page are made from. */
+#pragma once
+
+#include "cmd/options.h"
+
+typedef struct CommandRow {
+    Command command;
+    const char *name, *usage, *about;
+    int min_inputs, max_inputs;
+} CommandRow;
+
+/* The headings that help sorts options under. */
+typedef enum OptionGroup {
+    GROUP_OUTPUT,
+    GROUP_SKY,
+    GROUP_ACCURACY,
+    GROUP_METHODS,
+    GROUP_OTHER,
+    OPTION_GROUPS
+} OptionGroup;
+
+/* Options that keep their word or switch something on need no code of their own. */
+typedef enum OptionKind {
+    /* Its value goes through `take`. */
+    OPTION_TAKE,
+    /* Its value is kept as it is. */
+    OPTION_STRING,
+    /* It has no value. */
+    OPTION_FLAG,
+    /* It keeps the word after its "=", or "auto" where there is none. */
+    OPTION_OPTIONAL
+} OptionKind;
+
+typedef bool OptionTake(Options *options, const char *name, const char *value, Error *error);
+
+typedef struct OptionRow {
+    OptionGroup group;
+    const char *name;
+    /* What stands for its value in help; NULL for a flag. */
+    const char *argument;
+    /* The commands that it belongs to, as one set of bits. An option may have further rows for other
+     * commands. */
+    int commands;
+    OptionKind kind;
+    OptionTake *take;
+    /* Of the string or flag in Options. */
+    size_t offset;
+    const char *help;
+    /* A second name, or NULL. */
+    const char *alias;
+} OptionRow;
+
+extern const CommandRow command_table[];
+extern const int command_table_size;
+
+extern const OptionRow option_table[];
+extern const int option_table_size;
+
+extern const char *const option_group_names[OPTION_GROUPS];
+
+/* The command's row; NULL for COMMAND_NONE. */
+const CommandRow *command_find(Command command);

@@ -1,0 +1,130 @@
+#include "cmd/option_values.h"
+
+#include "base/text.h"
+
+#include <stdio.h>
+#include <string.h>
+
+bool take_output(Options *options, const char *name, const char *value, Error *error) {
+    enum { MOST = sizeof options->outputs / sizeof *options->outputs };
+    if (options->output_count == MOST)
+        return error_set(error, STATUS_USAGE, "%s more than %d times", name, MOST);
+    options->outputs[options->output_count++] = value;
+    return true;
+}
+
+bool take_setting(Options *options, const char *name, const char *value, Error *error) {
+    enum { MOST = sizeof options->settings / sizeof *options->settings };
+    const char *equals = strchr(value, '=');
+    if (!equals || equals == value || !equals[1]) {
+        return error_set(error, STATUS_USAGE, "%s: '%s' is not NAME=VALUE", name, value);
+    }
+    if (options->setting_count == MOST)
+        return error_set(error, STATUS_USAGE, "%s more than %d times", name, MOST);
+    options->settings[options->setting_count++] = value;
+    return true;
+}
+
+bool take_size(Options *options, const char *name, const char *value, Error *error) {
+    const char *cross = strchr(value, 'x');
+    char width[16] = "";
+    unsigned long long w, h;
+    if (cross && cross - value < (long)sizeof width) memcpy(width, value, (size_t)(cross - value));
+    if (!cross || !count_parse(width, &w) || !count_parse(cross + 1, &h) || w > 1000000000 ||
+        h > 1000000000) {
+        return error_set(error, STATUS_USAGE, "%s: '%s' is not WIDTHxHEIGHT", name, value);
+    }
+    /* 0 is how absence is marked: hand on a size that the check of limits refuses just as well. */
+    options->width = w ? (int)w : -1;
+    options->height = h ? (int)h : -1;
+    if (!w || !h)
+        return error_set(error, STATUS_USAGE, "%s: '%s': a picture has at least 1x1 pixels", name, value);
+    return true;
+}
+
+bool take_sun(Options *options, const char *name, const char *value, Error *error) {
+    char elevation[64];
+    const char *comma = strchr(value, ',');
+    snprintf(elevation, sizeof elevation, "%.*s", comma ? (int)(comma - value) : (int)strlen(value), value);
+    if (!number_parse_range(name, elevation, -90, 90, &options->sun_elevation_deg, error)) return false;
+    options->has_sun = true;
+    options->has_azimuth = comma != NULL;
+    return !comma || number_parse_range(name, comma + 1, -360, 360, &options->sun_azimuth_deg, error);
+}
+
+static bool take_count(const char *name, const char *value, unsigned long long min, unsigned long long max,
+                       unsigned long long *count, Error *error) {
+    unsigned long long parsed;
+    if (!count_parse(value, &parsed) || parsed < min || parsed > max) {
+        return error_set(error, STATUS_USAGE, "%s: '%s' is not a whole number from %llu to %llu", name, value,
+                         min, max);
+    }
+    *count = parsed;
+    return true;
+}
+
+bool take_samples(Options *options, const char *name, const char *value, Error *error) {
+    return take_count(name, value, 1, 4294967295ULL, &options->samples, error);
+}
+
+bool take_seed(Options *options, const char *name, const char *value, Error *error) {
+    unsigned long long seed = 0;
+    if (!take_count(name, value, 0, 4294967295ULL, &seed, error)) return false;
+    options->seed = (unsigned)seed;
+    return true;
+}
+
+bool take_depth(Options *options, const char *name, const char *value, Error *error) {
+    unsigned long long depth = 0;
+    if (!take_count(name, value, 0, 1000000000, &depth, error)) return false;
+    options->depth = (int)depth;
+    return true;
+}
+
+bool take_seconds(Options *options, const char *name, const char *value, Error *error) {
+    return number_parse_range(name, value, 1e-3, 1e9, &options->seconds, error);
+}
+
+bool take_error(Options *options, const char *name, const char *value, Error *error) {
+    return number_parse_range(name, value, 1e-3, 1e3, &options->error_percent, error);
+}
+
+bool take_exposure(Options *options, const char *name, const char *value, Error *error) {
+    options->has_exposure = true;
+    return number_parse_range(name, value, -64, 64, &options->exposure_ev, error);
+}
+
+bool take_max_relrmse(Options *options, const char *name, const char *value, Error *error) {
+    return number_parse_range(name, value, 0, 1e9, &options->max_relrmse_percent, error);
+}
+
+bool take_max_bias(Options *options, const char *name, const char *value, Error *error) {
+    return number_parse_range(name, value, 0, 1e9, &options->max_bias_percent, error);
+}
+
+/* An option of one of these words. */
+static bool take_word(const char *name, const char *value, const char *const *words, const char **target,
+                      Error *error) {
+    Text known = {0};
+    for (; *words; words++) {
+        if (strcmp(*words, value) == 0) {
+            text_free(&known);
+            *target = *words;
+            return true;
+        }
+        text_print(&known, "%s%s", known.size ? ", " : "", *words);
+    }
+    error_set(error, STATUS_USAGE, "%s: unknown '%s' (known: %s)", name, value, text_string(&known));
+    text_free(&known);
+    return false;
+}
+
+bool take_tone(Options *options, const char *name, const char *value, Error *error) {
+    static const char *const words[] = {"author", "none", NULL};
+    return take_word(name, value, words, &options->tone, error);
+}
+
+bool take_progress(Options *options, const char *name, const char *value, Error *error) {
+    static const char *const words[] = {"tty", "json", "none", NULL};
+    return take_word(name, value, words, &options->progress, error);
+}

@@ -1,0 +1,8 @@
+/* What each option accepts: one function for each whose value is more than a word to keep. A refusal is a
+ * STATUS_USAGE with the option's name in front. */
+#pragma once
+
+#include "cmd/option_table.h"
+
+OptionTake take_output, take_setting, take_size, take_sun, take_samples, take_seed, take_depth, take_seconds,
+    take_error, take_exposure, take_max_relrmse, take_max_bias, take_tone, take_progress;

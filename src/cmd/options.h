@@ -1,0 +1,77 @@
+/* The command line as one struct. Which option belongs to which command, and its help, stand in one table:
+ * option_table.c. */
+#pragma once
+
+#include "base/error.h"
+
+#include <stddef.h>
+
+typedef enum Command {
+    COMMAND_NONE = 0,
+    COMMAND_RENDER = 1 << 0,
+    COMMAND_COMPARE = 1 << 1,
+    COMMAND_INFO = 1 << 2,
+    COMMAND_FLATTEN = 1 << 3,
+    COMMAND_SKY = 1 << 4,
+    COMMAND_VIEW = 1 << 5,
+    COMMAND_CHART = 1 << 6,
+    COMMAND_EXPLAIN = 1 << 7,
+    COMMAND_HELP = 1 << 8
+} Command;
+
+/* Options that were not given are NULL, 0 or false, unless said otherwise. Strings are argv's own. */
+typedef struct Options {
+    Command command;
+    const char *inputs[2];
+    int input_count;
+    const char *outputs[8];
+    int output_count;
+
+    /* The help of `command` is asked for, or the program's where that is COMMAND_NONE. */
+    bool help;
+    bool version, manual;
+
+    int width, height;
+    bool has_sun, has_azimuth;
+    double sun_elevation_deg, sun_azimuth_deg;
+    const char *preset, *atmosphere, *sky, *light, *sequence, *backend, *glsl_dir;
+
+    /* Words "NAME=VALUE". */
+    const char *settings[64];
+    int setting_count;
+
+    unsigned long long samples;
+    double seconds, error_percent;
+
+    /* A list of charts: "paths,sky". */
+    const char *charts;
+
+    unsigned seed;
+    int depth;
+    bool has_exposure;
+    double exposure_ev;
+    const char *tone, *progress;
+
+    /* The file of directions of `sky`. */
+    const char *at;
+
+    /* The folder that a day's frames go to. */
+    const char *record;
+
+    /* A list of layers: "albedo,depth". */
+    const char *aov;
+
+    /* The method that finds the sun's disk, "auto" where the option has no word. */
+    const char *sun_disk;
+
+    bool quiet, verbose;
+
+    /* Infinite where they were not given. */
+    double max_relrmse_percent, max_bias_percent;
+
+    const char *standard_error, *mask;
+} Options;
+
+/* Reads the words after the program's name. Fails with STATUS_USAGE. Parsing ends at a word that asks for
+ * help or the version: what follows is not looked at. */
+MUST_CHECK bool options_parse(Options *options, int argc, char **argv, Error *error);
