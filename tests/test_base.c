@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static void test_numbers(void **state) {
@@ -47,10 +48,32 @@ static void test_text(void **state) {
     assert_int_equal(error.status, STATUS_SCENE);
 }
 
+/* A shell reads each word back as it was. */
+static void test_quoted(void **state) {
+    (void)state;
+    static char *const words[] = {
+        "printf",    "%s.",    "plain/a-b_c.glsl", "two words", "it's",      "", "$HOME `id` \\",
+        "\"q\" \t!", "line\n", "#a;b|c&d<e>(f)*?", "~",         "--set=x=1", "'"};
+    enum { WORDS = sizeof words / sizeof *words };
+    Text command = {0}, expected = {0};
+    char got[512] = "";
+    for (int i = 2; i < WORDS; i++) text_print(&expected, "%s.", words[i]);
+    text_print_command(&command, WORDS, words);
+    assert_non_null(strstr(text_string(&command), " plain/a-b_c.glsl 'two words' "));
+    FILE *shell = popen(text_string(&command), "r");
+    assert_non_null(shell);
+    assert_true(fread(got, 1, sizeof got - 1, shell) > 0);
+    assert_int_equal(pclose(shell), 0);
+    assert_string_equal(got, text_string(&expected));
+    text_free(&command);
+    text_free(&expected);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_numbers),
         cmocka_unit_test(test_text),
+        cmocka_unit_test(test_quoted),
     };
     return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

@@ -53,6 +53,30 @@ void text_print(Text *text, const char *format, ...) {
     va_end(again);
 }
 
+void text_print_quoted(Text *text, const char *word) {
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789%+,-./:=@_";
+    if (*word && !word[strspn(word, plain)]) {
+        text_print(text, "%s", word);
+        return;
+    }
+    text_append(text, "'", 1);
+    for (const char *c = word; *c; c++) {
+        /* Nothing has a meaning between single quotes but their end, so that a quote stands outside. */
+        if (*c == '\'')
+            text_print(text, "'\\''");
+        else
+            text_append(text, c, 1);
+    }
+    text_append(text, "'", 1);
+}
+
+void text_print_command(Text *text, int count, char *const *words) {
+    for (int i = 0; i < count; i++) {
+        if (i) text_append(text, " ", 1);
+        text_print_quoted(text, words[i]);
+    }
+}
+
 const char *text_string(const Text *text) {
     return text->data ? text->data : "";
 }

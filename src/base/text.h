@@ -13,6 +13,13 @@ typedef struct Text {
 
 void text_append(Text *text, const void *data, size_t size);
 void text_print(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Appends a word as a POSIX shell reads it back: as it stands where it can, else in quotes. */
+void text_print_quoted(Text *text, const char *word);
+
+/* Appends a command line, each word quoted as far as it needs to be. */
+void text_print_command(Text *text, int count, char *const *words);
+
 const char *text_string(const Text *text); /* "" while empty */
 void text_free(Text *text);
 

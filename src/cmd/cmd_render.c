@@ -177,7 +177,7 @@ static bool render(Job *job, Error *error) {
 /* The metadata: enough to make the picture again. */
 static void describe(const Job *job, int argc, char **argv, AttributeList *list) {
     Text command = {0};
-    for (int i = 0; i < argc; i++) text_print(&command, "%s%s", i ? " " : "", argv[i]);
+    text_print_command(&command, argc, argv);
     attribute_add(list, "magichour.version", "%s", MAGICHOUR_VERSION);
     attribute_add(list, "magichour.command", "%s", text_string(&command));
     if (job->options->aov) attribute_add(list, "magichour.aov", "%s", job->options->aov);

@@ -90,7 +90,7 @@ static void add_disk(const Job *job, Image *image) {
 static bool write_map(const Job *job, const Image *image, int argc, char **argv, Error *error) {
     AttributeList list = {0};
     Text command = {0};
-    for (int i = 0; i < argc; i++) text_print(&command, "%s%s", i ? " " : "", argv[i]);
+    text_print_command(&command, argc, argv);
     attribute_add(&list, "magichour.version", "%s", MAGICHOUR_VERSION);
     attribute_add(&list, "magichour.command", "%s", text_string(&command));
     attribute_add(

@@ -50,6 +50,7 @@ Status cmd_view(const Options *options, Error *error) {
                              .data = options,
                              .path = options->inputs[0],
                              .library = library,
+                             .glsl_dir = options->glsl_dir,
                              .methods = method_names(options),
                              .width = options->width,
                              .height = options->height,

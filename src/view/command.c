@@ -55,16 +55,26 @@ static void print_parameters(Text *text, const Scene *scene, const Scene *file) 
     }
 }
 
-void view_command(const Scene *scene, const Renderer *renderer, int max_hits, Text *command) {
+void view_command(const CommandParams *params, Text *command) {
+    const Scene *scene = params->scene;
+    const Renderer *renderer = params->renderer;
     Scene file;
     Error error;
     if (!scene_read(&file, scene->path, &error)) file = scene_default(scene->path);
-    text_print(command, "magichour render %s -o picture.exr --size %dx%d --spp %" PRIu64, scene->path,
-               renderer->camera.width, renderer->camera.height, renderer->film.samples);
+    text_print(command, "magichour render ");
+    /* A path that begins with a hyphen would be an option. */
+    if (*scene->path == '-') text_print(command, "./");
+    text_print_quoted(command, scene->path);
+    if (params->glsl_dir) {
+        text_print(command, " --glsl-dir ");
+        text_print_quoted(command, params->glsl_dir);
+    }
+    text_print(command, " -o picture.exr --size %dx%d --spp %" PRIu64, renderer->camera.width,
+               renderer->camera.height, renderer->film.samples);
     text_print(command, " --sky %s --light %s --sequence %s --sun-disk=%s", renderer->sky.choice.text,
                renderer->light.text, renderer->sequence.text, renderer->sun_disk.text);
     if (renderer->seed) text_print(command, " --seed %u", renderer->seed);
-    if (max_hits) text_print(command, " --depth %d", max_hits);
+    if (params->max_hits) text_print(command, " --depth %d", params->max_hits);
     print_number(command, " --sun ", scene->sun_elevation_deg);
     print_number(command, ",", scene->sun_azimuth_deg);
     if (differ(&scene->sun_radius_deg, &file.sun_radius_deg, 1))

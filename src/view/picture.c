@@ -290,7 +290,8 @@ bool picture_save(const Picture *picture, const ViewState *state, const char *na
                          .difference = difference_shown(picture, state),
                          .scene = &state->scene,
                          .context = picture->context,
-                         .max_hits = picture->params->max_hits};
+                         .max_hits = picture->params->max_hits,
+                         .glsl_dir = picture->params->glsl_dir};
     if (is_toy(picture)) return save_texture(&picture->toy.target, picture->params->path, name, exr, error);
     return save_picture(&params, name, exr, error);
 }

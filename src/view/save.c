@@ -64,7 +64,8 @@ static bool join(const SaveParams *params, Image *image, Error *error) {
 static void describe(const SaveParams *params, const FilmCount *count, AttributeList *list) {
     const Pane *pane = params->sides[0];
     Text command = {0};
-    view_command(params->scene, &pane->renderer, params->max_hits, &command);
+    const CommandParams made = {params->scene, &pane->renderer, params->max_hits, params->glsl_dir};
+    view_command(&made, &command);
     attribute_add(list, "magichour.version", "%s", MAGICHOUR_VERSION);
     attribute_add(list, "magichour.command", "%s", text_string(&command));
     attribute_add(list, "magichour.samples", "%" PRIu64, pane->renderer.film.samples);

@@ -10,6 +10,8 @@ typedef struct SaveParams {
     const Scene *scene; /* of the first side */
     const Context *context;
     int max_hits;
+    /* NULL where the GLSL library is the one beside the program. */
+    const char *glsl_dir;
 } SaveParams;
 
 /* The first of NAME-001, NAME-002 ... in the working folder of which there is neither EXR nor PNG, NAME after

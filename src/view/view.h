@@ -11,6 +11,9 @@ typedef struct ViewParams {
     const void *data;
     const char *path;    /* of the scene */
     const char *library; /* folder of the GLSL library */
+    /* The same where it was named on the command line, to be said in the command that a picture is saved
+     * with. */
+    const char *glsl_dir;
     MethodNames methods; /* of the left side; the right side's begin as cosine and random */
     int width, height;   /* 0 for the scene's */
     unsigned seed;
