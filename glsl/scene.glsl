@@ -1,41 +1,56 @@
-// The words that a scene, the materials and the passes share. A scene defines
+// The structures that scenes, materials and passes share. A scene defines two functions:
 //
-//     void scene_intersect(Ray ray, INOUT(Hit) hit)    nearest hit, by hit_sphere(), hit_plane() ... from shape/
-//     Material scene_material(Hit hit)                 what is there, by matte(), mirror() ... from material/
+//     void scene_intersect(Ray ray, INOUT(Hit) hit)    finds the nearest hit, with hit_sphere(), hit_plane() ... from shape/
+//     Material scene_material(Hit hit)                 says what is there, with matte(), mirror() ... from material/
 //
-// World: metres, right-handed, y up.
+// Coordinates are metres in a right-handed frame, and y points up.
 #include "math/dialect.glsl"
 
 struct Ray {
     vec3 origin;
-    vec3 direction; // unit length
+    // The direction has unit length.
+    vec3 direction;
 };
 
-// A shape's function hit_NAME() takes the nearest hit so far and replaces it by its own if that is nearer.
+// A place where a ray meets a surface. A shape's function hit_NAME() gets the nearest hit so far, and replaces it if the shape is nearer.
 struct Hit {
-    float t;       // distance along the ray, m; INFINITY is no hit
-    vec3 position; // filled by the path tracer before scene_material()
-    vec3 normal;   // unit length; faces the ray's origin by the time scene_material() sees it
-    int object;    // the number that the scene gave to the shape
-    int item;      // of an object of many shapes, such as hit_spheres()'s: which of them, from 0; else of no meaning
-    bool inside;   // whether the ray came from within the solid, by the shape's own normal, which points out of it
+    // Distance along the ray in metres. INFINITY means that there is no hit.
+    float t;
+    // The path tracer sets the position before it calls scene_material().
+    vec3 position;
+    // The normal has unit length. When scene_material() gets it, it faces the ray's origin.
+    vec3 normal;
+    // The number that the scene gave to the shape.
+    int object;
+    // If the object consists of many shapes, as that of hit_spheres() does, this is the number of the shape, from 0. Otherwise it has no meaning.
+    int item;
+    // Says whether the ray came from within the solid. The shape's own normal, which points out of the solid, decides it.
+    bool inside;
 };
 
-// Made by material_new(), so that a member more changes no other material.
+// Materials are made by material_new(). A new member of this structure then changes no other material.
 struct Material {
-    int kind;          // MATERIAL_NAME of the file material/name.glsl
-    vec3 color;        // albedo, or tint of a mirror
-    float roughness;   // 0 to 1
-    float reflectance; // share of the light that is reflected as by a mirror, 0 to 1
-    float ior;         // index of refraction within the solid over that around it; at a hit, beyond the surface over before it
+    // MATERIAL_NAME of the file material/name.glsl.
+    int kind;
+    // The albedo, or the tint of a mirror.
+    vec3 color;
+    // From 0 to 1.
+    float roughness;
+    // The share of the light that is reflected as by a mirror, from 0 to 1.
+    float reflectance;
+    // Ratio of the indices of refraction, n_inside / n_outside. surface_material() turns it into n_transmitted / n_incident for the ray at hand.
+    float ior;
 };
 
-// Where a path goes on, and what it is worth: f cos / pdf.
+// The direction in which a path goes on.
 struct Bounce {
     vec3 direction;
+    // f cos / pdf, where f is the BRDF and cos is the cosine between the direction and the normal.
     vec3 weight;
-    float pdf;    // by solid angle, 1/sr; 0 where the direction was the only one, as on a mirror
-    bool lambert; // whether it was drawn by Lambert's cosine, with the albedo as weight
+    // The density by solid angle, 1/sr. It is 0 if only one direction is possible, as on a mirror.
+    float pdf;
+    // Says whether the direction was drawn by Lambert's cosine, so that the weight is the albedo.
+    bool lambert;
 };
 
 Hit hit_none() {
@@ -46,9 +61,9 @@ Material material_new(int kind, vec3 color) {
     return Material(kind, color, 1.0, 0.0, 1.0);
 }
 
-// The ray that leaves a hit. Its origin is lifted off the surface to the side that it goes to, by a step in proportion to the
-// coordinates that the hit was computed from: 32 float roundings, of which the hit itself has a few. What grazes the surface
-// by no more than roundings stays on the side that it came from.
+// Returns the ray that leaves a hit in a direction. Its origin is lifted off the surface, to the side that the ray goes to.
+// The lift is proportional to the coordinates that the hit was computed from. It is 32 float roundings; the hit itself has an error of a few.
+// A ray that is parallel to the surface up to roundings stays on the side that it came from.
 Ray ray_from(Hit hit, vec3 direction) {
     vec3 size = abs(hit.position);
     float lift = 2.0e-6 * (max(max(size.x, size.y), size.z) + hit.t);

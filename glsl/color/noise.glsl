@@ -1,11 +1,11 @@
 #include "math/hash.glsl"
 
-// A number in [0,1) for each point with whole coordinates.
+// Returns a random number in [0,1) for a point with whole coordinates.
 float noise_at(ivec3 corner) {
     return unit_float(hash_3(uvec3(corner)).x);
 }
 
-// Value noise in [0,1]: random at the points with whole coordinates, smooth between them (Perlin's 2002 quintic).
+// Value noise in [0,1]. It is random at points with whole coordinates, and smooth between them (by Perlin's quintic of 2002).
 float noise(vec3 position) {
     vec3 low = floor(position);
     vec3 f = position - low;
@@ -20,7 +20,7 @@ float noise(vec3 position) {
     return min(sum, 1.0);
 }
 
-// Octaves of it in [0,1], each half as large and half as strong as the one before.
+// A sum of octaves of noise(), scaled to [0,1]. Each octave is half as large and half as strong as the one before.
 float noise_octaves(vec3 position, int octaves) {
     float sum = 0.0;
     float total = 0.0;

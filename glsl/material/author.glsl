@@ -1,15 +1,16 @@
 #include "scene.glsl"
 #include "math/sphere_sample.glsl"
 
-// The author's material (2017): light goes toward a uniform point of a ball. Matte, the ball of radius 1 that rests on the surface;
-// of `reflectance` of the light, a ball of radius `roughness` that is moved toward the mirror's direction, and still rests on
-// the surface. Nothing is lost but by colour and absorbance. Not a physical material: light that goes the other way is
-// scattered otherwise.
+// The material of the paper's author (2017). Light scatters toward a uniform random point of a ball.
+// Matte light uses a ball of radius 1 that rests on the surface. The share `reflectance` of the light uses a ball of radius
+// `roughness`, which is moved toward the mirror's direction and still rests on the surface.
+// Only colour and absorbance take light away. The material is not physical: if light goes the other way, it is scattered differently.
 
-// His roughness 0 is a mirror. Here it is this much, so that each direction has a density; with reflectance 1 use mirror().
+// In the author's program, roughness 0 is a mirror. Here the least roughness is this, so that each direction has a density.
+// Use mirror() where reflectance is 1 and roughness is 0.
 const float AUTHOR_LEAST_ROUGHNESS = 1.0e-3;
 
-// His defaults are white, reflectance 0, roughness 1 and absorbance 0.1. What is reflected as by a mirror takes no colour.
+// The author's defaults are white, reflectance 0, roughness 1 and absorbance 0.1. Light that is reflected as by a mirror is not coloured.
 Material author(vec3 color, float reflectance, float roughness, float absorbance) {
     Material material = material_new(MATERIAL_AUTHOR, (1.0 - absorbance) * mix(color, vec3(1.0), reflectance));
     material.reflectance = reflectance;
@@ -17,8 +18,8 @@ Material author(vec3 color, float reflectance, float roughness, float absorbance
     return material;
 }
 
-// Density of the directions, from the origin, to uniform points of a ball that does not reach behind it: the far end of the
-// ray's chord cubed, less the near end cubed, by three.
+// Returns the density of the directions from the origin to uniform random points of a ball. The ball does not reach behind the origin.
+// The density is (far^3 - near^3) / 3 divided by the ball's volume, where the ray is inside the ball from `near` to `far`.
 float author_density(vec3 centre, float radius, vec3 direction) {
     float middle = dot(centre, direction);
     vec3 miss = centre - middle * direction;
@@ -29,7 +30,7 @@ float author_density(vec3 centre, float radius, vec3 direction) {
     return half_chord > 0.0 ? cubes / (4.0 * PI * radius * radius * radius) : 0.0;
 }
 
-// The ball's centre for light that is reflected.
+// Returns the centre of the ball for light that is reflected.
 vec3 author_centre(Material material, vec3 normal, vec3 incoming) {
     return mix(reflect(incoming, normal), normal, material.roughness);
 }
@@ -44,7 +45,7 @@ vec3 author_value(Material material, vec3 normal, vec3 incoming, vec3 outgoing) 
     return author_pdf(material, normal, incoming, outgoing) * material.color;
 }
 
-// v.x chooses, and stretched serves again.
+// v.x chooses between the two balls. The chosen part of its range is stretched to [0,1), so that v.x serves as a random number again.
 Bounce author_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
     bool reflected = v.x < material.reflectance;
     float rest = reflected ? v.x / material.reflectance : (v.x - material.reflectance) / (1.0 - material.reflectance);

@@ -1,12 +1,12 @@
 #include "scene.glsl"
 
-// Emits `radiance` to both sides, the same in all directions, and reflects nothing. A scene that wants one side dark asks
-// hit.inside. `emitter-sphere` says where paths may look for it; without, they find it by chance.
+// A lamp. It emits `radiance` to both sides and in all directions alike, and reflects nothing. A scene that wants one side to be
+// dark tests hit.inside. The hint `emitter-sphere` tells paths where the lamp is; without the hint, only random bounces find it.
 Material emitter(vec3 radiance) {
     return material_new(MATERIAL_EMITTER, radiance);
 }
 
-// Radiance toward where the ray came from: a function that a material need not have.
+// Returns the radiance toward the ray's origin. Only materials that emit have this function.
 vec3 emitter_emitted(Material material, vec3 normal, vec3 incoming) {
     return material.color;
 }

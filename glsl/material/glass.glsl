@@ -1,38 +1,38 @@
 #include "scene.glsl"
 
-// Smooth glass, water, or whatever is clear: reflects by Fresnel and lets through the rest. The shape must be a solid whose
-// normals point out of it; from within, the index of refraction is the other way round (surface_material()). A bubble in
-// the solid has the index 1 / ior.
+// Smooth glass, water, or another clear substance. It reflects as Fresnel's equations say, and lets the rest of the light through.
+// The shape must be a solid whose normals point out of it. If a ray comes from within, surface_material() inverts the index of
+// refraction. A bubble in the solid has the index 1 / ior.
 Material glass(float ior) {
     Material material = material_new(MATERIAL_GLASS, vec3(1.0));
     material.ior = ior;
     return material;
 }
 
-// Lets through `tint` of the light at each passage of the surface.
+// Coloured glass. It lets through the share `tint` of the light each time that light passes its surface.
 Material glass_tinted(vec3 tint, float ior) {
     Material material = material_new(MATERIAL_GLASS, tint);
     material.ior = ior;
     return material;
 }
 
-// The light's cosine beyond the surface, or 0 where it is reflected totally; `tilt` is the part of the incoming direction along
-// the surface.
+// Returns the cosine of the light's direction beyond the surface, or 0 if the light is reflected totally. `tilt` is the part of the
+// incoming direction that is parallel to the surface.
 float glass_cosine(float ior, vec3 tilt) {
     return sqrt(max(1.0 - dot(tilt, tilt) / (ior * ior), 0.0));
 }
 
-// Fresnel's reflectance of unpolarised light, from the cosines on both sides; 1 where the one beyond is 0.
+// Returns Fresnel's reflectance of unpolarised light, from the cosines on both sides. It is 1 if `cos_beyond` is 0.
 float glass_fresnel(float ior, float cos_in, float cos_beyond) {
     float parallel = (ior * cos_in - cos_beyond) / max(ior * cos_in + cos_beyond, 1.0e-20);
     float across = (cos_in - ior * cos_beyond) / max(cos_in + ior * cos_beyond, 1.0e-20);
     return cos_beyond > 0.0 ? 0.5 * (parallel * parallel + across * across) : 1.0;
 }
 
-// v.x chooses, in proportion to what goes either way, so that nothing but the tint is left to weigh.
+// v.x chooses between reflection and refraction, in proportion to the light that goes either way. The weight is therefore the tint alone.
 //
-// Radiance grows by ior^2 as light enters glass, which gathers it into a narrower cone, and shrinks by as much as it leaves. Both
-// ends of a path, the eye and the sky, are in air: whatever enters leaves, the factors cancel, and both are left out.
+// Radiance grows by ior^2 when light enters glass, because glass gathers the light into a narrower cone. It shrinks by the same factor
+// when the light leaves. Both ends of a path, the eye and the sky, are in air, so the factors cancel and are left out.
 Bounce glass_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
     float ior = material.ior;
     float cos_in = max(-dot(normal, incoming), 0.0);

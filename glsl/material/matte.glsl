@@ -1,11 +1,11 @@
 #include "scene.glsl"
 
-// Where a matte surface scatters to, from u, v in [0,1)^2, and how densely, 1/sr. The light method defines them: Lambert's
-// cosine, or the author's lobe.
+// The direction in which a matte surface scatters, drawn from u and v in [0,1)^2, and its density in 1/sr.
+// The light method defines both functions, by Lambert's cosine or by the author's lobe.
 vec3 matte_direction(vec3 normal, vec2 u, vec2 v);
 float matte_density(float cosine);
 
-// Scatters `albedo` of the light, whichever way it came.
+// A matte surface. It scatters the share `albedo` of the light, from whichever direction the light comes.
 Material matte(vec3 albedo) {
     return material_new(MATERIAL_MATTE, albedo);
 }

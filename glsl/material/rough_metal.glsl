@@ -1,23 +1,28 @@
 #include "scene.glsl"
 #include "math/frame.glsl"
 
-// Metal with a finish: a surface of mirrors that are tilted as GGX says (Walter et al. 2007), which shade and hide each other as
-// Smith says, height-correlated (Heitz 2014), drawn by how much of them is seen (Heitz 2018, in the form of Dupuy and Benyoub
-// 2023). Light meets one mirror and no second, so that rough metal loses some: at roughness 1, seen straight, all but 1 - log(2).
+// Metal with a finish. Its surface consists of small mirrors (facets).
+//   * Their normals are distributed by GGX (Walter et al. 2007).
+//   * They shade and hide each other by Smith's function, height-correlated (Heitz 2014).
+//   * They are drawn in proportion to how much of them is visible (Heitz 2018, in the form of Dupuy and Benyoub 2023).
+// Light is reflected by one facet, never by a second one. Rough metal therefore loses light: at roughness 1, seen from above, it keeps
+// the share 1 - log(2).
 
-// The least alpha: lobes narrower than the sun's disk cost float its digits and change no picture. mirror() is the limit.
+// The least alpha. A narrower lobe would be narrower than the sun's disk: float would lose its digits, and no picture would change.
+// mirror() is the limit.
 const float ROUGH_METAL_LEAST_ALPHA = 1.0e-3;
 
-// Reflects `tint` of the light that comes straight down, more toward grazing (Schlick). Roughness 0 to 1, and alpha its square
-// (Burley 2012).
+// Reflects the share `tint` of light that comes along the normal, and more of light that grazes the surface (Schlick).
+// Roughness is from 0 to 1; the model's alpha is its square (Burley 2012).
 Material rough_metal(vec3 tint, float roughness) {
     Material material = material_new(MATERIAL_ROUGH_METAL, tint);
     material.roughness = roughness;
     return material;
 }
 
-// Reflectance of metals at normal incidence, linear RGB with Rec. 709's primaries, from measured indices of refraction: Adobe,
-// "Metal material references" of the Adobe Standard Material. Gold's red, and copper's, lie outside and are cut off at 1.
+// Reflectance of metals along the normal, as linear RGB with the primaries of Rec. 709. The values come from measured indices of
+// refraction: Adobe, "Metal material references" of the Adobe Standard Material. The red of gold and of copper would be above 1, and is
+// set to 1.
 vec3 gold() {
     return vec3(1.0, 0.7099, 0.3148);
 }
@@ -34,7 +39,7 @@ float rough_metal_alpha(Material material) {
     return max(material.roughness * material.roughness, ROUGH_METAL_LEAST_ALPHA);
 }
 
-// Density of the mirrors' normals by their tilt. From its sine, because near to the normal cosines have lost it.
+// Returns the density of the facets' normals. It uses the sine of the tilt, because near the normal the cosine has no digits left for it.
 float rough_metal_tilts(float alpha, vec3 normal, vec3 half_way) {
     vec3 tilt = cross(normal, half_way);
     float z = dot(normal, half_way);
@@ -42,7 +47,7 @@ float rough_metal_tilts(float alpha, vec3 normal, vec3 half_way) {
     return z > 0.0 ? 1.0 / (PI * alpha * alpha * stretched * stretched) : 0.0;
 }
 
-// Smith's square root, for a cosine: all masking is made of it, and nothing is divided by a cosine that may be 0.
+// Returns the square root of Smith's function for a cosine. All masking is written with it, so that no cosine that may be 0 is divided by.
 float rough_metal_root(float alpha, float cosine) {
     return sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine);
 }
@@ -53,14 +58,15 @@ vec3 rough_metal_fresnel(vec3 tint, float cosine) {
     return tint + c2 * c2 * c * (vec3(1.0) - tint);
 }
 
-// What of the visible mirrors' light is not hidden on its way out: the height-correlated masking of both over that of one.
+// Returns the share of the visible facets' light that is not hidden on its way out. This is the height-correlated masking of both
+// directions, divided by the masking of the incoming direction alone.
 float rough_metal_open(float alpha, float cos_in, float cos_out) {
     float root_in = rough_metal_root(alpha, cos_in);
     float root_out = rough_metal_root(alpha, cos_out);
     return cos_out * (cos_in + root_in) / max(cos_out * root_in + cos_in * root_out, 1.0e-20);
 }
 
-// One over all directions: some of the visible mirrors throw the light below the surface, where its weight is 0.
+// The density integrates to 1 over all directions, also those below the surface: some facets throw light there, and its weight is 0.
 float rough_metal_pdf(Material material, vec3 normal, vec3 incoming, vec3 outgoing) {
     float alpha = rough_metal_alpha(material);
     float cos_in = max(-dot(normal, incoming), 0.0);
@@ -72,14 +78,15 @@ float rough_metal_pdf(Material material, vec3 normal, vec3 incoming, vec3 outgoi
 vec3 rough_metal_value(Material material, vec3 normal, vec3 incoming, vec3 outgoing) {
     float cos_in = max(-dot(normal, incoming), 0.0);
     float cos_out = max(dot(normal, outgoing), 0.0);
-    float cos_half = sqrt(max(0.5 - 0.5 * dot(incoming, outgoing), 0.0)); // between the light and the mirrors
+    // The cosine between the light and the facet's normal.
+    float cos_half = sqrt(max(0.5 - 0.5 * dot(incoming, outgoing), 0.0));
     float open = rough_metal_open(rough_metal_alpha(material), cos_in, cos_out);
     float pdf = rough_metal_pdf(material, normal, incoming, outgoing);
     return open * pdf * rough_metal_fresnel(material.color, cos_half);
 }
 
-// The mirrors seen from one side are those of a hemisphere, when all is stretched by 1 / alpha; their normals are halfway between
-// the view and a uniform point of a cap of the sphere.
+// If everything is stretched by 1 / alpha, the visible facets are those of a hemisphere. Their normals are then halfway between the view
+// and a uniform random point on a cap of the sphere.
 Bounce rough_metal_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
     float alpha = rough_metal_alpha(material);
     float cos_in = max(-dot(normal, incoming), 0.0);

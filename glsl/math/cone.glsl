@@ -3,7 +3,8 @@
 // The cone of directions in which a sphere is seen from outside.
 struct Cone {
     vec3 axis;
-    float one_less_cos; // 1 - cos of its half angle, without cancellation; 0 from inside the sphere
+    // 1 - cos(half angle), computed without cancellation. It is 0 if the point is inside the sphere.
+    float one_less_cos;
 };
 
 Cone cone_toward(vec3 from, vec3 centre, float radius) {
@@ -14,7 +15,7 @@ Cone cone_toward(vec3 from, vec3 centre, float radius) {
     return Cone(to_centre * inversesqrt(squared), one_less_cos);
 }
 
-// A direction uniform by solid angle, from u in [0,1)^2.
+// Draws a direction that is uniform by solid angle. u is in [0,1)^2.
 vec3 cone_sample(Cone cone, vec2 u) {
     float less = u.x * cone.one_less_cos;
     float sine = sqrt(max(less * (2.0 - less), 0.0));
@@ -23,8 +24,9 @@ vec3 cone_sample(Cone cone, vec2 u) {
 }
 
 bool cone_holds(Cone cone, vec3 direction) {
+    // 1 - cos is computed from the chord between the two directions, which loses no digits.
     vec3 off = direction - cone.axis;
-    return 0.5 * dot(off, off) < cone.one_less_cos; // 1 - cos, by the chord, which keeps its digits
+    return 0.5 * dot(off, off) < cone.one_less_cos;
 }
 
 float cone_pdf(Cone cone, vec3 direction) {

@@ -1,7 +1,7 @@
 #include "math/dialect.glsl"
 
-// x tangent + y bitangent + z axis, for a frame about the unit vector `axis`: Duff et al. 2017, "Building an Orthonormal Basis,
-// Revisited".
+// Returns x tangent + y bitangent + z axis, where the three form a frame about the unit vector `axis`.
+// The frame is that of Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
 vec3 in_frame(vec3 axis, float x, float y, float z) {
     float sign_z = axis.z >= 0.0 ? 1.0 : -1.0;
     float a = -1.0 / (sign_z + axis.z);

@@ -1,7 +1,7 @@
 #include "math/dialect.glsl"
 
-// PCG in three dimensions: Jarzynski and Olano 2020, "Hash Functions for GPU Rendering". (Their two-dimensional hash is
-// not enough here: pairs of neighbouring dimensions come out correlated, chi-square 14 deviations off.)
+// The hash PCG in three dimensions, from Jarzynski and Olano 2020, "Hash Functions for GPU Rendering".
+// Their two-dimensional hash is not good enough here: it correlates neighbouring dimensions (chi-square is 14 standard deviations off).
 uvec3 hash_3(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v.x += v.y * v.z;
@@ -14,7 +14,7 @@ uvec3 hash_3(uvec3 v) {
     return v;
 }
 
-// Bits to a float in [0,1), by the upper 24.
+// Turns the upper 24 bits into a float in [0,1).
 float unit_float(uint bits) {
     return float(bits >> 8u) * (1.0 / 16777216.0);
 }

@@ -1,8 +1,9 @@
-// --sequence random: every number independent, by hashing (pixel, sample, seed) and then the dimension.
+// --sequence random: independent numbers. A hash of (pixel, sample, seed) gives a key, and a hash of the key and the dimension gives the numbers.
 #include "math/hash.glsl"
 
 struct Sequence {
-    uvec2 key; // of this pixel's sample
+    // Belongs to one sample of one pixel.
+    uvec2 key;
     uint dimension;
 };
 
@@ -11,7 +12,7 @@ Sequence sequence_start(uint x, uint y, uint sample_index, uint seed) {
     return Sequence(uvec2(hash.x, hash.y), 0u);
 }
 
-// The next two numbers in [0,1).
+// Returns the next two random numbers, in [0,1).
 vec2 sequence_pair(INOUT(Sequence) sequence) {
     uvec3 hash = hash_3(uvec3(sequence.key.x, sequence.key.y, sequence.dimension));
     sequence.dimension += 1u;

@@ -1,10 +1,12 @@
-// --sequence sobol: for each pair of dimensions the first two of Sobol's, the sample's index shuffled and the points
-// scrambled as Owen does, by hashing (Burley 2020, "Practical Hash-based Owen Scrambling"). A pixel's samples spread
-// evenly in each pair; pairs, pixels and seeds are independent of each other.
+// --sequence sobol: scrambled Sobol points.
+// Each pair of dimensions uses the first two dimensions of Sobol's sequence. A hash shuffles the sample's index and scrambles the points as Owen
+// does (Burley 2020, "Practical Hash-based Owen Scrambling"). The samples of a pixel are spread evenly in each pair.
+// Different pairs, pixels and seeds are independent of each other.
 #include "math/hash.glsl"
 
 struct Sequence {
-    uint reversed_index; // the sample's index, its lowest bit first
+    // The sample's index with its bits reversed, so that the lowest bit comes first.
+    uint reversed_index;
     uint pixel;
     uint seed;
     uint dimension;
@@ -18,8 +20,8 @@ uint reverse_bits(uint x) {
     return ((x & 0x55555555u) << 1u) | ((x >> 1u) & 0x55555555u);
 }
 
-// Owen's scrambling of a number whose bits are reversed: a bit changes by those below it alone. Laine and Karras 2011,
-// with the constants that Vegdahl found.
+// Scrambles a number as Owen does. The number's bits are reversed, so that each bit changes only by the bits below it.
+// The method is that of Laine and Karras 2011, with the constants that Vegdahl found.
 uint scramble_reversed(uint x, uint seed) {
     x = x ^ (x * 0x3d20adeau);
     x += seed;
@@ -28,8 +30,8 @@ uint scramble_reversed(uint x, uint seed) {
     return x ^ (x * 0x53a22864u);
 }
 
-// Sobol's second dimension of an index, reversed: the product with Pascal's triangle modulo 2, in five steps
-// (Ahmed 2024) since the triangle consists of three copies of its half.
+// Returns the second dimension of Sobol's sequence for an index, with reversed bits. This is the product with Pascal's triangle modulo 2.
+// Five steps are enough (Ahmed 2024), because the triangle consists of three copies of its half.
 uint pascal(uint x) {
     x = x ^ ((x >> 1u) & 0x55555555u);
     x = x ^ ((x >> 2u) & 0x33333333u);
@@ -42,7 +44,7 @@ Sequence sequence_start(uint x, uint y, uint sample_index, uint seed) {
     return Sequence(reverse_bits(sample_index), x + (y << 16u), seed, 0u);
 }
 
-// The next two numbers in [0,1).
+// Returns the next two random numbers, in [0,1).
 vec2 sequence_pair(INOUT(Sequence) sequence) {
     uvec3 seeds = hash_3(uvec3(sequence.pixel, sequence.dimension, sequence.seed));
     uint index = reverse_bits(scramble_reversed(sequence.reversed_index, seeds.x));
