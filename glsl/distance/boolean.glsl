@@ -1,7 +1,7 @@
 #include "math/dialect.glsl"
 
-// Solids made of two, by their distances (Ricci 1973; Hart 1996). The union's distance is exact outside; the others are never
-// more than the distance, but may be less near edges.
+// Solids made of two solids, by combining their distances (Ricci 1973; Hart 1996).
+// The distance to the union is exact outside of it. The other results are never more than the distance, but may be less near edges.
 float op_union(float a, float b) {
     return min(a, b);
 }
@@ -10,12 +10,12 @@ float op_intersection(float a, float b) {
     return max(a, b);
 }
 
-// a without b.
+// The solid a without the solid b.
 float op_subtraction(float a, float b) {
     return max(a, -b);
 }
 
-// Inside out.
+// Turns a solid inside out.
 float op_inverse(float a) {
     return -a;
 }

@@ -1,7 +1,7 @@
 #include "math/dialect.glsl"
 
-// Distance to a solid cone from the middle of its base to its tip, `radius` wide at the base. In the half-plane through the
-// axis it is a triangle: the nearer of its slanted side and its base. After Quilez, "Distance functions".
+// Distance to a solid cone from the middle of its base to its tip, with `radius` at the base. In a half-plane through the axis the
+// cone is a triangle, and the distance is that to the nearer of its slanted side and its base. After Quilez, "Distance functions".
 float distance_cone(vec3 p, vec3 base, vec3 tip, float radius) {
     float height = length(base - tip);
     vec3 axis = (base - tip) / height;

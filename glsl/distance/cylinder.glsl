@@ -1,6 +1,6 @@
 #include "math/dialect.glsl"
 
-// Distance to a solid cylinder from the middle of one end to that of the other. After Quilez, "Distance functions".
+// Distance to a solid cylinder from the middle of one end to the middle of the other end. After Quilez, "Distance functions".
 float distance_cylinder(vec3 p, vec3 end, vec3 other_end, float radius) {
     float height = length(other_end - end);
     vec3 axis = (other_end - end) / height;

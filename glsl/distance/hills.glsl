@@ -1,8 +1,10 @@
 #include "math/hash.glsl"
 
-// Rolling ground: a height in [0,1] for each (x, z), random at whole coordinates and smooth between them (value noise, Perlin's
-// 2002 quintic). It rises by HILLS_SLOPE a unit at most. So height * hills(at / length) rises by height / length times that; heights
-// that are added add their slopes; and ground of slope s at most has the distance, or less,
+// Rolling ground. hills() returns a height in [0,1] for each (x, z). It is random at whole coordinates and smooth between them (value
+// noise with Perlin's quintic of 2002).
+//
+// The slope of hills() is at most HILLS_SLOPE. The slope of height * hills(at / length) is at most HILLS_SLOPE * height / length. If heights
+// are added, their slopes add. If the ground h has a slope of at most s, this is the distance to it, or less:
 //
 //     (p.y - h(vec2(p.x, p.z))) / length(vec2(1.0, s))
 const float HILLS_SLOPE = 1.875;

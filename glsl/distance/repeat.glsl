@@ -1,16 +1,18 @@
 #include "math/dialect.glsl"
 
-// Copies of a solid in a row, a grid or a lattice about the origin: a copy every `spacing` along each axis (0: none along this
-// one), `count` copies (0: without end). The solid stays within half a spacing of the origin. The nearest copy may be a
-// neighbour of the one in whose cell p is, but only toward p's side of the cell; so a scene asks 2 cells along each axis
-// that repeats, 2, 4 or 8 in all, and takes the least:
+// Copies of a solid in a row, a grid or a lattice about the origin. Along each axis there is a copy every `spacing`, and `count` copies in all.
+// A spacing of 0 means no copies along that axis; a count of 0 means endless copies. The solid must stay within half a spacing of the origin.
+//
+// The nearest copy is the one in the cell of p, or a neighbour of it on the side of the cell where p is. A scene therefore computes the
+// distance in 2 cells along each axis that repeats, which makes 2, 4 or 8 cells in all, and takes the least:
 //
 //     float d = INFINITY;
 //     for (int i = 0; i < 4; i++) d = min(d, distance_box(repeat_cell(p, vec3(1.0, 0.0, 1.0), vec3(0.0), i), ...));
 //
-// That is exact while all copies are alike. After Quilez, "Domain repetition".
+// The result is exact if all copies are alike. After Quilez, "Domain repetition".
 float repeat_along(float x, float spacing, float count, bool neighbour) {
-    float first = count > 0.0 ? -0.5 * (count - 1.0) : 0.0; // where copy 0 is, in spacings
+    // The place of copy 0, in spacings.
+    float first = count > 0.0 ? -0.5 * (count - 1.0) : 0.0;
     float place = x / spacing - first;
     float cell = floor(place + 0.5);
     if (neighbour) cell += place < cell ? -1.0 : 1.0;
@@ -18,7 +20,7 @@ float repeat_along(float x, float spacing, float count, bool neighbour) {
     return cell + first;
 }
 
-// The number of the copy along each axis, 0 for the one at the origin (halves where there are even numbers of copies).
+// Returns the number of the copy along each axis. The copy at the origin has the number 0. If the count is even, the numbers are halves.
 vec3 repeat_index(vec3 p, vec3 spacing, vec3 count, int i) {
     vec3 index = vec3(0.0);
     int choices = i;
@@ -34,7 +36,7 @@ vec3 repeat_index(vec3 p, vec3 spacing, vec3 count, int i) {
     return index;
 }
 
-// p from the middle of that copy.
+// Returns p relative to the middle of copy i.
 vec3 repeat_cell(vec3 p, vec3 spacing, vec3 count, int i) {
     return p - spacing * repeat_index(p, spacing, count, i);
 }

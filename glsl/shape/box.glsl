@@ -1,6 +1,6 @@
 #include "shape/interval.glsl"
 
-// A box along the axes, `half_size` from its centre to its faces; seen from outside or inside.
+// A box along the axes, with the distances `half_size` from its centre to its faces. It is seen from outside and from inside.
 void hit_box(Ray ray, vec3 centre, vec3 half_size, int object, INOUT(Hit) hit) {
     vec3 to_centre = centre - ray.origin;
     float middle = dot(to_centre, ray.direction);

@@ -1,6 +1,6 @@
 #include "shape/interval.glsl"
 
-// All that is within `radius` of the line from `end` to `other_end`; seen from outside or inside.
+// The solid of all points within `radius` of the line from `end` to `other_end`. It is seen from outside and from inside.
 void hit_capsule(Ray ray, vec3 end, vec3 other_end, float radius, int object, INOUT(Hit) hit) {
     vec3 to_centre = 0.5 * (end + other_end) - ray.origin;
     float middle = dot(to_centre, ray.direction);

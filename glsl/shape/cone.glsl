@@ -1,13 +1,13 @@
 #include "shape/interval.glsl"
 
-// Where a ray is within a cone that goes on for ever from its tip along `axis`, both of unit length, `spread` wide by a metre;
-// `from_tip` to the ray's origin.
+// Returns the part of a ray in a cone that goes on for ever from its tip along `axis`. Its radius grows by `spread` a metre.
+// `from_tip` leads from the tip to the ray's origin. `direction` and `axis` have unit length.
 Interval interval_cone(vec3 from_tip, vec3 direction, vec3 axis, float spread) {
     float height = dot(from_tip, axis);
     float climb = dot(direction, axis);
     vec3 from_axis = from_tip - height * axis;
     vec3 across = direction - climb * axis;
-    // a t^2 + 2 b t + c <= 0 in the cone and in its mirror image beyond the tip
+    // a t^2 + 2 b t + c <= 0 holds in the cone, and in its mirror image beyond the tip.
     float a = dot(across, across) - spread * spread * climb * climb;
     float b = dot(from_axis, across) - spread * spread * height * climb;
     float c = dot(from_axis, from_axis) - spread * spread * height * height;
@@ -25,7 +25,7 @@ Interval interval_cone(vec3 from_tip, vec3 direction, vec3 axis, float spread) {
     return Interval(enter, leave, at_enter - spread * length(at_enter) * axis, at_leave - spread * length(at_leave) * axis);
 }
 
-// A solid cone from the middle of its base to its tip, `radius` wide at the base; seen from outside or inside.
+// A solid cone from the middle of its base to its tip, with `radius` at the base. It is seen from outside and from inside.
 void hit_cone(Ray ray, vec3 base, vec3 tip, float radius, int object, INOUT(Hit) hit) {
     vec3 to_centre = 0.5 * (base + tip) - ray.origin;
     float middle = dot(to_centre, ray.direction);

@@ -1,6 +1,6 @@
 #include "shape/interval.glsl"
 
-// A solid cylinder from the middle of one end to that of the other; seen from outside or inside.
+// A solid cylinder from the middle of one end to the middle of the other end. It is seen from outside and from inside.
 void hit_cylinder(Ray ray, vec3 end, vec3 other_end, float radius, int object, INOUT(Hit) hit) {
     vec3 to_centre = 0.5 * (end + other_end) - ray.origin;
     float middle = dot(to_centre, ray.direction);

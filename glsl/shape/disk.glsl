@@ -1,6 +1,6 @@
 #include "scene.glsl"
 
-// A flat disk about `centre`; `normal` of unit length. Seen from both sides.
+// A flat disk about `centre`. `normal` has unit length. The disk is seen from both sides.
 void hit_disk(Ray ray, vec3 centre, vec3 normal, float radius, int object, INOUT(Hit) hit) {
     vec3 to_centre = centre - ray.origin;
     float t = dot(normal, to_centre) / dot(normal, ray.direction);

@@ -1,6 +1,7 @@
 #include "shape/interval.glsl"
 
-// An ellipsoid with its three radii along the axes; seen from outside or inside. A unit sphere in the space scaled by them.
+// An ellipsoid with three radii along the axes. It is seen from outside and from inside. The ray is divided by the radii, and meets a
+// unit sphere.
 void hit_ellipsoid(Ray ray, vec3 centre, vec3 radii, int object, INOUT(Hit) hit) {
     vec3 to_centre = centre - ray.origin;
     float middle = dot(to_centre, ray.direction);

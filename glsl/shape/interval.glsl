@@ -1,9 +1,11 @@
 #include "scene.glsl"
 
-// The stretch of a ray in a convex solid, and the solid's normals at its ends. Solids are made of simpler ones, so that their
-// parts leave no gap: what is in both of two intervals, and what is in either where the whole is convex too.
+// The part of a ray in a convex solid, and the solid's normals at both ends of this part.
+// Intervals of simple solids are combined into those of others, so that no gap is left between the parts. interval_both() is the part in both
+// of two solids. interval_either() is the part in one or the other; their union must be convex too.
 struct Interval {
-    float enter; // m; past `leave` where the ray misses
+    // Where the ray enters the solid, in metres. It is larger than `leave` if the ray misses the solid.
+    float enter;
     float leave;
     vec3 enter_normal;
     vec3 leave_normal;
@@ -29,7 +31,7 @@ Interval interval_either(Interval a, Interval b) {
                     a_enters ? a.enter_normal : b.enter_normal, a_leaves ? a.leave_normal : b.leave_normal);
 }
 
-// Between two planes: |height + t slope| <= half_thickness, along the unit vector `normal`.
+// Returns the part of a ray between two planes, where |height + t slope| <= half_thickness. Height is measured along the unit vector `normal`.
 Interval interval_slab(float height, float slope, float half_thickness, vec3 normal) {
     float inverse = abs(slope) > 1.0e-20 ? 1.0 / slope : 1.0e20;
     float low = (-half_thickness - height) * inverse;
@@ -38,7 +40,8 @@ Interval interval_slab(float height, float slope, float half_thickness, vec3 nor
     return Interval(min(low, high), max(low, high), -onward, onward);
 }
 
-// In a sphere about `to_centre` from the ray's origin. By the closest approach, as in hit_sphere().
+// Returns the part of a ray in a sphere. `to_centre` leads from the ray's origin to the sphere's centre.
+// The computation uses the ray's closest approach to the centre, as hit_sphere() does.
 Interval interval_sphere(vec3 to_centre, vec3 direction, float radius) {
     float middle = dot(to_centre, direction);
     vec3 miss = to_centre - middle * direction;
@@ -49,7 +52,8 @@ Interval interval_sphere(vec3 to_centre, vec3 direction, float radius) {
                     (half_chord * direction - miss) / radius);
 }
 
-// In an endless cylinder about an axis through the point `to_centre` from the ray's origin; `axis` of unit length.
+// Returns the part of a ray in an endless cylinder about an axis. `to_centre` leads from the ray's origin to a point of the axis, and `axis` has
+// unit length.
 Interval interval_cylinder(vec3 to_centre, vec3 direction, vec3 axis, float radius) {
     vec3 across = direction - dot(direction, axis) * axis;
     vec3 from_axis = dot(to_centre, axis) * axis - to_centre;
@@ -63,8 +67,9 @@ Interval interval_cylinder(vec3 to_centre, vec3 direction, vec3 axis, float radi
                     (miss + half_chord * across) / radius);
 }
 
-// Replaces `hit` by the interval's nearer end ahead of the ray. The interval is counted from `middle`: shapes count from the
-// ray's closest approach to their centre, where the numbers are as small as the shape, however far it is.
+// Replaces `hit` by the interval's nearest end ahead of the ray's origin, if that is nearer than `hit`.
+// The interval is counted from `middle`. Shapes count from the ray's closest approach to their centre: numbers there are as small as the
+// shape, however far away it is.
 void hit_interval(Interval interval, float middle, int object, INOUT(Hit) hit) {
     bool outside = middle + interval.enter > 0.0;
     float t = middle + (outside ? interval.enter : interval.leave);

@@ -2,33 +2,41 @@
 #include "scene.glsl"
 #include "shape/search.glsl"
 
-// The surface where a distance field is 0. The scene defines
+// The surface where a distance field is 0. The scene defines the field, for instance with the functions of distance/, and calls march() among
+// its hit_NAME():
 //
-//     float scene_distance(vec3 p)    how far p is from the surface, m; negative inside the solid. Never more than that.
+//     float scene_distance(vec3 p)    the distance from p to the surface in metres, or less; negative inside the solid
 //
-// for instance of distance/, and calls march() among its hit_NAME(). A ray that starts inside a solid finds its way out.
-// The numbers in a field (a centre, a radius) should not be far larger than the distances looked from, or than the sphere
-// that march() is told: float's roundings grow with them.
+// A ray that starts inside a solid finds its way out.
+// The numbers in a field (a centre, a radius) should not be much larger than the distance from which the surface is seen, or than the sphere
+// that is given to march(). The rounding errors of float grow with these numbers.
 float scene_distance(vec3 p);
 
-// One march asks the field MARCH_STEPS times at most, and 6 times for the normal; most rays are done after some twenty, those
-// that pass a surface by a millionth of their length need a thousand.
+// One march evaluates the field up to MARCH_STEPS times, and 6 times more for the normal. Most rays are done after some twenty steps. Rays
+// that pass a surface at a millionth of their length need a thousand.
 const int MARCH_STEPS = 2048;
-const int MARCH_CAREFUL = 192;          // of these: the first ones, which miss nothing. Then a ray along a surface takes steps of at least
-const float MARCH_THIN = 3.0e-5;        // of the coordinates, and may miss what is thinner;
-const int MARCH_LEAPS = 32;             // and the last ones of a ray that would not end otherwise are leaps.
-const float MARCH_FAR = 1.0e6;          // m; no surface is sought farther
-const float MARCH_PRECISION = 4.0e-7;   // of the coordinates and the distance: 7 float roundings, a fifth of ray_from()'s lift
-const float MARCH_NORMAL_STEP = 2.44140625e-4; // of the coordinates: roundings and curvature cost a normal about as much
-const float MARCH_STEEP = 1.1;          // metres a metre; a field that changes faster is no distance
+// The first steps of a march, which miss nothing. After them a ray is bold: its steps are at least MARCH_THIN of the coordinates, and may miss what
+// is thinner.
+const int MARCH_CAREFUL = 192;
+const float MARCH_THIN = 3.0e-5;
+// The last steps of a ray that would not end otherwise. Each of these leaps is twice as long as the one before.
+const int MARCH_LEAPS = 32;
+// March does not look for surfaces beyond this distance, in metres.
+const float MARCH_FAR = 1.0e6;
+// How near to the surface a march ends, as a share of the coordinates and the distance: 7 float roundings, a fifth of the lift of ray_from().
+const float MARCH_PRECISION = 4.0e-7;
+// The step of the differences that give the normal, as a share of the coordinates. At this step, rounding and curvature cost about the same.
+const float MARCH_NORMAL_STEP = 2.44140625e-4;
+// A field that changes by more than this, in metres a metre, is no distance.
+const float MARCH_STEEP = 1.1;
 
 float march_size(vec3 p) {
     vec3 size = abs(p);
     return max(max(size.x, size.y), size.z);
 }
 
-// The field's gradient by central differences, over the points that rounding leaves at p +- h. In a loop, so that the field
-// is compiled once for it.
+// Returns the field's gradient by central differences. The differences are divided by the distances that rounding leaves between the points p +- h.
+// The loop makes the compiler inline the field once, not six times.
 vec3 march_gradient(vec3 p, float h) {
     vec3 high = p + h;
     vec3 low = p - h;
@@ -42,29 +50,35 @@ vec3 march_gradient(vec3 p, float h) {
     return change / (high - low);
 }
 
-// How far to go from the middle of an empty ball: to where the next ball touches this one, if the surface is flat. `fall` is
-// what the field lost by a metre on the last step. Balint and Valasek 2018, "Accelerating Sphere Tracing", after Hart 1996
-// and Keinert et al. 2014.
+// Returns the length of the next step from the middle of an empty ball. If the surface is flat, the next empty ball touches this one.
+// `fall` is how much the field fell per metre of the last step. From Balint and Valasek 2018, "Accelerating Sphere Tracing", after
+// Hart 1996 and Keinert et al. 2014.
 float march_step(float radius, float fall) {
     return radius * (1.0 + 0.9 * min((1.0 - fall) / max(1.0 + fall, 0.2), 4.0));
 }
 
-// The first t in (start, end) on the surface, or INFINITY. `size` is the least that coordinates near there count as; `field` is
-// what the field gave there.
+// Returns the first t in (start, end) on the surface, or INFINITY. Sets `field` to the field's value there, and `side` to 1 if the ray is outside the
+// solid or -1 if it is inside. `size` is the least value that stands for the size of coordinates.
 //
-// At t, where all is empty up to, a ball of `radius` is empty too. The next ball must touch it, or there is a gap, and the step
-// is taken again at the radius alone. A step back from beyond the surface, too.
+// The ray is known to be empty up to t, and so is a ball about the point at t with the field's value as radius. The empty ball after the next
+// step must touch this ball. If it does not, there is a gap between them, and the step is taken again with the radius alone. A step that went
+// beyond the surface is taken back, too.
 float march_along(Ray ray, float start, float end, float size, OUT(float) field, OUT(float) side) {
     float t = start;
-    float value = 0.0;     // the field at t, positive on the ray's side
-    side = 0.0;            // while the ray is on the surface that it leaves
+    // The field at t. It is positive on the ray's side of the surface.
+    float value = 0.0;
+    // 0 as long as the ray is on the surface that it leaves.
+    side = 0.0;
     float step = 0.0;
-    float steepness = 1.0; // the field's largest change by a metre so far
-    float beyond = INFINITY; // where the ray is known to be past a surface
+    // The field's largest change per metre so far.
+    float steepness = 1.0;
+    // A place where the ray is known to be past a surface.
+    float beyond = INFINITY;
     float found = INFINITY;
     float leap = 1.0;
     bool leaping = false;
-    bool bold = false; // whether the step is longer than what is known to be empty
+    // Says whether the step is longer than the part of the ray that is known to be empty.
+    bool bold = false;
     bool more = start < end;
     int steps = 0;
     while (steps < MARCH_STEPS && more) {
@@ -81,10 +95,12 @@ float march_along(Ray ray, float start, float end, float size, OUT(float) field,
         float change = abs(d - value);
         if (started && change > MARCH_STEEP * moved + 5.0 * tolerance) steepness = max(steepness, change / moved);
         float plain = value / steepness;
-        bool relaxed = moved > 1.001 * plain + 0.5 * tolerance; // t is rounded
+        // The tolerance is there because t is rounded.
+        bool relaxed = moved > 1.001 * plain + 0.5 * tolerance;
         bool touching = !started || !relaxed || moved * steepness <= value + abs(d) || bold;
 
-        if (side == 0.0) { // along the surface that it leaves
+        if (side == 0.0) {
+            // The ray still runs along the surface that it leaves.
             t = next;
             step = max(2.0 * step, tolerance);
         } else if (touching && abs(d) <= tolerance) {
@@ -116,10 +132,10 @@ float march_along(Ray ray, float start, float end, float size, OUT(float) field,
     }
     search_rays += 1;
     search_steps += steps;
-    // In a field steeper than the distance it went on in shorter steps, but may have leapt over something; and a field that is
-    // no number ends a march.
+    // If the field is steeper than a distance, the march went on in shorter steps, but may have stepped over a surface before it knew. If the field
+    // is not a number, the march ended there.
     if (steepness > 1.0 || !is_finite(vec3(field))) search_broken += 1;
-    // By grazing a surface it took all its steps, and ended in leaps: it may have missed what is thinner than a leap.
+    // The ray grazed a surface, took all of its steps, and ended in leaps. It may have missed what is thinner than a leap.
     if (leaping) search_cut += 1;
     return found < INFINITY || !more ? found : beyond;
 }
@@ -135,31 +151,31 @@ void march_between(Ray ray, float start, float end, float size, int object, INOU
         vec3 gradient = march_gradient(p, MARCH_NORMAL_STEP * max(near, 0.25 * t));
         float steepness = length(gradient);
         if (steepness > MARCH_STEEP) search_broken = broken + 1;
-        // What is left to the surface, along the tangent: much at grazing incidence.
+        // The distance that is left to the surface, by the field's slope along the ray. It is long where the ray grazes the surface.
         float slope = dot(gradient, ray.direction);
         float reach = 64.0 * MARCH_PRECISION * (near + t);
         float rest = abs(slope) > 1.0e-4 ? clamp(-field / slope, -reach, reach) : 0.0;
         hit.t = max(t + rest, 0.5 * t);
         vec3 normal = steepness > 0.0 ? gradient / steepness : -ray.direction;
-        // On an edge the differences blend two sides: what then faces away from where the ray came from is turned until it
-        // grazes, or the path would go on within the solid.
+        // On an edge the differences blend the normals of two sides. If the result faces away from the ray's origin, it is turned until the ray
+        // grazes the surface; otherwise the path would go on within the solid.
         float facing = side * dot(normal, ray.direction);
         hit.normal = facing < 0.0 ? normal : normalize(normal - side * (facing + 1.0e-3) * ray.direction);
         hit.object = object;
     }
 }
 
-// Marches to the field's surface.
+// Marches along the whole ray to the field's surface.
 void march(Ray ray, int object, INOUT(Hit) hit) {
     march_between(ray, 0.0, INFINITY, 0.0, object, hit);
 }
 
-// Marches only where the ray crosses a sphere, which contains all of the surface: rays that miss it cost nothing.
+// Marches only inside a sphere, which must contain all of the surface. Rays that miss the sphere cost nothing.
 void march(Ray ray, vec3 centre, float radius, int object, INOUT(Hit) hit) {
     vec3 to_centre = centre - ray.origin;
     float middle = dot(to_centre, ray.direction);
     vec3 miss = to_centre - middle * ray.direction;
-    // A little more, for what touches the sphere.
+    // The sphere is a little larger than given, so that a surface that touches it is found.
     float discriminant = 1.001 * radius * radius - dot(miss, miss);
     if (discriminant > 0.0) {
         float half_chord = sqrt(discriminant);

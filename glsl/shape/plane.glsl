@@ -1,6 +1,6 @@
 #include "scene.glsl"
 
-// The plane of the points p with dot(normal, p) = offset; `normal` of unit length. Seen from both sides.
+// The plane of the points p with dot(normal, p) = offset. `normal` has unit length. The plane is seen from both sides.
 void hit_plane(Ray ray, vec3 normal, float offset, int object, INOUT(Hit) hit) {
     float height = dot(normal, ray.origin) - offset;
     float descent = -dot(normal, ray.direction);

@@ -1,10 +1,10 @@
 #include "scene.glsl"
 
-// A half-space with a bowl cut out by a sphere: solid where dot(normal, p) < offset, but for the sphere. For rays that
-// start in the open, above the plane or in the bowl.
+// A half-space from which a sphere cuts out a bowl. It is solid where dot(normal, p) < offset, except in the sphere. Rays must start in
+// the open, above the plane or in the bowl.
 //
-// Watertight: one question, asked once (where does the ray cross the plane, in the sphere or out of it), decides between
-// plane and bowl, so that no rounding at the rim lets a ray slip between them.
+// The surface has no gap. One test decides between plane and bowl: whether the ray crosses the plane inside the sphere. Rounding at the rim can
+// therefore not let a ray slip between the two.
 void hit_plane_minus_sphere(Ray ray, vec3 normal, float offset, vec3 centre, float radius, int object, INOUT(Hit) hit) {
     float height = dot(normal, ray.origin) - offset;
     float descent = -dot(normal, ray.direction);

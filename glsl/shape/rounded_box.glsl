@@ -1,7 +1,7 @@
 #include "shape/interval.glsl"
 
-// Where a ray that comes from outside meets a rounded box about the origin, from t on; INFINITY if it does not. The distance to
-// a convex solid is convex along a ray, so that Newton's steps from outside never pass the surface.
+// Returns where a ray that comes from outside meets a rounded box about the origin, starting at t. Returns INFINITY if it misses the box.
+// The distance to a convex solid is a convex function along a ray, so Newton's steps from outside never pass the surface.
 float rounded_box_meet(vec3 origin, vec3 direction, vec3 core, float radius, float t) {
     float gap = 0.0;
     float fall = 1.0;
@@ -21,8 +21,8 @@ vec3 rounded_box_normal(vec3 p, vec3 core) {
     return sign(p) * max(abs(p) - core, vec3(0.0));
 }
 
-// A box along the axes, `half_size` from its centre to its faces, with edges rounded by `radius` (more than 0, not more than the
-// smallest half size); seen from outside or inside.
+// A box along the axes, with the distances `half_size` from its centre to its faces, and edges rounded by `radius`. The radius is above 0 and
+// not more than the smallest half size. The box is seen from outside and from inside.
 void hit_rounded_box(Ray ray, vec3 centre, vec3 half_size, float radius, int object, INOUT(Hit) hit) {
     vec3 to_centre = centre - ray.origin;
     float middle = dot(to_centre, ray.direction);

@@ -1,5 +1,7 @@
-// What the searches of a pixel's rays took, such as march()'s: for a pass to read after its rays, and to tell the user.
+// Counts the searches of a pixel's rays, such as those of march(). A pass adds these numbers to the film, so that the host can warn of failures.
 int search_rays = 0;
 int search_steps = 0;
-int search_broken = 0; // whose field was no distance, or no number: they may have leapt over something
-int search_cut = 0;    // that took all the steps they may
+// Searches in a field that was no distance, or not a number. They may have stepped over a surface.
+int search_broken = 0;
+// Searches that took as many steps as they are allowed to.
+int search_cut = 0;

@@ -1,8 +1,8 @@
 #include "scene.glsl"
 
-// Whether a ray meets a sphere, seen from outside or inside, and how far along. The discriminant is taken from the ray's closest
-// approach to the centre, which loses nothing to cancellation when the sphere is far away or small (Haines et al., Ray Tracing
-// Gems 7).
+// Says whether a ray meets a sphere, from outside or from inside, and sets t to the distance along the ray.
+// The discriminant comes from the ray's closest approach to the centre. It loses no digits if the sphere is far away or small (Haines et
+// al., Ray Tracing Gems, chapter 7).
 bool sphere_meets(vec3 to_centre, vec3 direction, float radius, OUT(float) t) {
     float middle = dot(to_centre, direction);
     vec3 miss = to_centre - middle * direction;

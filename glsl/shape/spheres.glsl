@@ -1,24 +1,26 @@
 #include "shape/search.glsl"
 #include "shape/sphere.glsl"
 
-// The scene's many spheres (`//@ spheres`), of which a ray is tested against some tens, whatever their number. hit.item is the
-// number of the sphere that was hit: the i of scene_sphere(i), or the file's row, from 0.
+// The many spheres of a scene (`//@ spheres`). A ray is tested against some tens of them, however many there are.
+// hit.item is the number of the sphere that was hit, from 0: the i of scene_sphere(i), or the row of the file.
 //
-// They lie in a tree of boxes in boxes, written as a list that is read in one direction (src/scene/sphere_tree.h): an entry is a
-// box, or a sphere; behind a box comes what it holds, and a ray that misses the box skips that. No stack is needed. To meet the
-// near half of a box before the far one, there are eight lists, one for each octant of directions; with that octant's near and
-// far corners of boxes, so that entering and leaving need no ordering.
+// The spheres lie in a tree of nested boxes. The tree is written as a list that is read in one direction (src/scene/sphere_tree.h). An entry of the
+// list is a box or a sphere. The contents of a box follow it, and a ray that misses the box skips them, so no stack is needed.
+// There are eight lists, one for each octant of directions, so that a ray meets the nearer half of a box first. The boxes of a list have their near
+// and far corners as that octant sees them.
 //
-// An entry is two texels. Box: near corner and 0; far corner and how many entries to skip when it is missed. Sphere: centre and
-// radius; its number, 0, 0, 0.
+// An entry is two texels. Those of a box are (near corner, 0) and (far corner, number of entries to skip if the ray misses the box). Those of a sphere
+// are (centre, radius) and (number, 0, 0, 0).
 vec4 spheres_texel(int i);
-int spheres_entries(); // of one list
+// Returns the number of entries of one list.
+int spheres_entries();
 
-// One ray looks at SPHERES_STEPS entries at most: twenty to seventy are usual, of 100,000 spheres with little overlap a thousand
-// are the most.
+// One ray looks at up to SPHERES_STEPS entries. Twenty to seventy are usual. Among 100,000 spheres that overlap little, a thousand are the most.
 const int SPHERES_STEPS = 4096;
-const float SPHERES_LEAST = 1.0e-20; // of a direction's component: dividing by it overflows nothing, and 0 / 0 is not met
-const float SPHERES_ROUND = 1.0000006; // what float may round away between entering and leaving (Ize 2013)
+// The least component of a direction. Dividing by it does not overflow, and 0 / 0 does not occur.
+const float SPHERES_LEAST = 1.0e-20;
+// Makes up for what float rounds away between entering and leaving a box (Ize 2013).
+const float SPHERES_ROUND = 1.0000006;
 
 float spheres_component(float v) {
     return abs(v) > SPHERES_LEAST ? v : SPHERES_LEAST;

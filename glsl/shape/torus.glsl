@@ -1,6 +1,6 @@
 #include "scene.glsl"
 
-// The distance to a torus and its change along the ray, at `p` from the centre.
+// Returns the distance to a torus and its derivative along the ray. `p` is relative to the torus's centre.
 vec2 torus_distance(vec3 p, vec3 direction, vec3 axis, float major, float minor) {
     float height = dot(p, axis);
     vec3 across = p - height * axis;
@@ -10,7 +10,7 @@ vec2 torus_distance(vec3 p, vec3 direction, vec3 axis, float major, float minor)
     return vec2(reach - minor, change / reach);
 }
 
-// The root of 4 t^3 + 2 c t + d between low and high, if there is one, else high. A rough one will do: see below.
+// Returns the root of 4 t^3 + 2 c t + d between low and high, or high if there is none. A rough root is enough: see hit_torus().
 float torus_turn(float c, float d, float low, float high) {
     float at_low = (4.0 * low * low + 2.0 * c) * low + d;
     float at_high = (4.0 * high * high + 2.0 * c) * high + d;
@@ -27,7 +27,8 @@ float torus_turn(float c, float d, float low, float high) {
     return t;
 }
 
-// The surface between low and high, on two sides of it: Newton's steps on the distance, halving where they leave the bracket.
+// Returns the place of the surface between low and high, which are on two sides of it. It takes Newton's steps on the distance, and halves the
+// bracket where a step would leave it.
 float torus_meet(vec3 near, vec3 direction, vec3 axis, float major, float minor, float low, float high, float side) {
     float t = 0.5 * (low + high);
     for (int i = 0; i < 24; i++) {
@@ -42,12 +43,12 @@ float torus_meet(vec3 near, vec3 direction, vec3 axis, float major, float minor,
     return t;
 }
 
-// A ring about `axis` (of unit length) through `centre`: the circle of the major radius, `minor` thick all around, which is the
-// smaller one. Seen from outside or inside.
+// A ring about `axis`, which has unit length and goes through `centre`. The ring is a circle of the radius `major`, and all points within `minor`
+// of it. `minor` is the smaller radius. The ring is seen from outside and from inside.
 //
-// A torus is the quartic t^4 + c t^2 + d t + e when t counts from the closest approach to the centre. Ferrari's formula for its
-// roots drowns in roundings, so only the turning points are taken from it; between these the distance itself, which has lost
-// nothing, has one root or none. Turning points that are a little off cost only what is thinner than their error squared.
+// A torus is the quartic t^4 + c t^2 + d t + e, if t counts from the ray's closest approach to the centre. Rounding spoils Ferrari's formula for
+// the quartic's roots. Only its turning points are therefore computed. Between two of them the distance to the torus has one root or none,
+// and the distance has lost no digits. A turning point with a small error makes a ray miss only what is thinner than that error squared.
 void hit_torus(Ray ray, vec3 centre, vec3 axis, float major, float minor, int object, INOUT(Hit) hit) {
     vec3 to_centre = centre - ray.origin;
     float middle = dot(to_centre, ray.direction);
