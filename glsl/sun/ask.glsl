@@ -3,7 +3,7 @@
 
 // Who found the sun already, for the light that the next ray may bring from it.
 const int SUN_SOUGHT = 0;    // the path's last point sought it: the ray must not count it
-const int SUN_PICTURED = 1;  // there is no such point yet, and the picture does (sun/image.glsl)
+const int SUN_PICTURED = 1;  // there is no such point yet, and the picture does (pass/sun_image.glsl)
 const int SUN_REFLECTED = 2; // either, by way of one mirror sphere that the scene names
 const int SUN_CHANCE = 3;    // nobody: the ray counts it if it finds it
 const int SUN_PLANES = 4;    // and on: a point sought it by way of one flat mirror that the scene names, of two ...

@@ -1,7 +1,7 @@
 // --sun chance: the disk is found by the bounces alone. Right for any scene and hopelessly noisy for a disk of the sun's size: it is
 // there to judge `sampled` by, with a larger disk.
-#include "pass/sun_disk.glsl"
 #include "sun/ask.glsl"
+#include "sun/disk.glsl"
 
 vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
     return vec3(0.0);

@@ -1,8 +1,8 @@
 // --sun sampled: every hit looks for the disk itself, straight and by way of the mirror spheres and the flat mirrors that the scene
 // names. What those cannot find, such as by way of a sphere and another mirror, is left to chance.
 #include "light/through.glsl"
-#include "pass/sun_disk.glsl"
 #include "sun/ask.glsl"
+#include "sun/disk.glsl"
 #include <mirrors>
 #include <planes>
 

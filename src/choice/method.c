@@ -114,7 +114,7 @@ static const Method methods[] = {
      .about = "the sun lights the sky and is not there itself"},
     {.family = METHOD_SUN,
      .name = "sampled",
-     .file = "sun/sampled.glsl",
+     .file = "pass/sun_sampled.glsl",
      .about = "each hit seeks the disk, straight and by the mirrors that the scene names; its own image is "
               "exact",
      .has_disk = true,
@@ -122,7 +122,7 @@ static const Method methods[] = {
      .draws_image = true},
     {.family = METHOD_SUN,
      .name = "chance",
-     .file = "sun/chance.glsl",
+     .file = "pass/sun_chance.glsl",
      .about = "rays find the disk or do not: to judge the other by",
      .has_disk = true},
 };

@@ -58,7 +58,7 @@ typedef struct Method {
     bool has_disk;
     /* A sun: each hit sends a ray toward the disk. What no such ray can reach is then left to chance. */
     bool samples_disk;
-    /* A sun: a second program draws the disk's own image (glsl/sun/image.glsl). */
+    /* A sun: a second program draws the disk's own image (glsl/pass/sun_image.glsl). */
     bool draws_image;
 } Method;
 

@@ -18,10 +18,10 @@ void sun_slots(const MethodChoice *choice, const Scene *scene, bool image, const
                const char *planes, GlslSlot *slots) {
     bool mirrors = scene->mirror_count > 0;
     slots[0] = (GlslSlot){"sun", choice->method->file, NULL};
-    slots[1] = (GlslSlot){"sun-image", image ? "sun/image.glsl" : "sun/image_none.glsl", NULL};
+    slots[1] = (GlslSlot){"sun-image", image ? "pass/sun_image.glsl" : "pass/sun_image_none.glsl", NULL};
     slots[2] = (GlslSlot){"mirrors", mirrors ? "sun/mirrors.glsl" : "sun/mirrors_none.glsl", NULL};
-    slots[3] =
-        (GlslSlot){"mirrors-image", mirrors ? "sun/mirrors_image.glsl" : "sun/mirrors_image_none.glsl", NULL};
+    slots[3] = (GlslSlot){"mirrors-image",
+                          mirrors ? "pass/mirrors_image.glsl" : "pass/mirrors_image_none.glsl", NULL};
     slots[4] = (GlslSlot){"mirror-spheres", NULL, spheres};
     slots[5] = (GlslSlot){"planes", scene->plane_count ? "sun/planes.glsl" : "sun/planes_none.glsl", NULL};
     slots[6] = (GlslSlot){"mirror-planes", NULL, planes};

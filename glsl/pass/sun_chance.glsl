@@ -1,0 +1,3 @@
+// --sun-disk chance
+#include "pass/sun_disk.glsl"
+#include "sun/chance.glsl"

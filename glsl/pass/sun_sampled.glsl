@@ -1,0 +1,3 @@
+// --sun-disk sampled
+#include "pass/sun_disk.glsl"
+#include "sun/sampled.glsl"
