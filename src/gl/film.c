@@ -1,7 +1,10 @@
 #include "gl/film.h"
 
+#include "gl/texture.h"
+
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { SUM, REST, SCATTER, SEARCH };
 
@@ -9,21 +12,47 @@ static size_t pixel_count(const Film *film) {
     return (size_t)film->width * (size_t)film->height;
 }
 
+static void create_splat(Film *film) {
+    const GlApi *gl = film->target.gl;
+    film->splat = texture_create(gl, film->width, film->height, GL_NEAREST, NULL);
+    gl->GenFramebuffers(1, &film->splat_framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, film->splat_framebuffer);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, film->splat, 0);
+}
+
+static void clear_splat(Film *film) {
+    static const GLfloat zero[4] = {0};
+    film->light_paths = 0;
+    if (!film->splat) return;
+    film->target.gl->BindFramebuffer(GL_FRAMEBUFFER, film->splat_framebuffer);
+    film->target.gl->ClearBufferfv(GL_COLOR, 0, zero);
+}
+
 bool film_create(Film *film, const Context *context, int width, int height, unsigned parts, Error *error) {
     unsigned outputs = 1U << SUM | 1U << REST;
     if (parts & FILM_SCATTER) outputs |= 1U << SCATTER;
     if (parts & FILM_SEARCH) outputs |= 1U << SEARCH;
-    *film = (Film){.width = width, .height = height, .parts = parts};
-    return target_create(&film->target, context, width, height, outputs, error);
+    *film = (Film){.width = width, .height = height, .parts = parts, .splat_scale = 1};
+    if (!target_create(&film->target, context, width, height, outputs, error)) return false;
+    if (parts & FILM_SPLAT) create_splat(film);
+    clear_splat(film);
+    if (gl_check(film->target.gl, "a film for splatted light", error)) return true;
+    film_destroy(film);
+    return false;
 }
 
 void film_destroy(Film *film) {
+    if (film->splat) {
+        film->target.gl->DeleteFramebuffers(1, &film->splat_framebuffer);
+        film->target.gl->DeleteTextures(1, &film->splat);
+    }
     target_destroy(&film->target);
     *film = (Film){0};
 }
 
 void film_reset(Film *film) {
     target_clear(&film->target);
+    clear_splat(film);
     film->samples = 0;
 }
 
@@ -41,6 +70,53 @@ void film_keep(Film *film, const Rectangle *regions, int count) {
 void film_commit(Film *film, uint64_t samples) {
     target_swap(&film->target);
     film->samples += samples;
+}
+
+void film_splat_begin(const Film *film, const Program *program) {
+    const GlApi *gl = film->target.gl;
+    double size[3] = {film->width, film->height, 0};
+    gl->BindFramebuffer(GL_FRAMEBUFFER, film->splat_framebuffer);
+    gl->Viewport(0, 0, film->width, film->height);
+    gl->Enable(GL_BLEND);
+    gl->BlendFunc(GL_ONE, GL_ONE);
+    program_set_vec3(program, "splat_size", size);
+}
+
+void film_splat_end(Film *film, double paths) {
+    film->target.gl->Disable(GL_BLEND);
+    film->light_paths += paths;
+}
+
+/* What the second sum adds to the means of a rectangle's pixels, 4 floats a pixel; zero where it holds
+ * nothing. */
+static bool read_splats(const Film *film, const Rectangle *r, float *rgba, Error *error) {
+    const GlApi *gl = film->target.gl;
+    size_t count = (size_t)r->width * (size_t)r->height * 4;
+    if (!film->splat || !(film->light_paths > 0)) {
+        memset(rgba, 0, count * sizeof *rgba);
+        return true;
+    }
+    gl->BindFramebuffer(GL_FRAMEBUFFER, film->splat_framebuffer);
+    gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->ReadPixels(r->x, r->y, r->width, r->height, GL_RGBA, GL_FLOAT, rgba);
+    for (size_t i = 0; i < count; i++)
+        rgba[i] = (float)((double)rgba[i] * film->splat_scale / film->light_paths);
+    return gl_check(gl, "reading splatted light back", error);
+}
+
+/* Adds them to an image of means. */
+static bool join_splats(const Film *film, Image *image, Error *error) {
+    if (!film->splat) return true;
+    size_t pixels = pixel_count(film);
+    Rectangle all = {0, 0, film->width, film->height};
+    float *splats = memory_get(pixels * 4, sizeof *splats);
+    bool ok = read_splats(film, &all, splats, error);
+    for (size_t i = 0; ok && i < 4 * pixels; i++) {
+        if (i % 4 != 3) image->rgba[i] += splats[i];
+    }
+    free(splats);
+    return ok;
 }
 
 bool film_read(const Film *film, Image *image, FilmCount *count, Error *error) {
@@ -62,6 +138,7 @@ bool film_read(const Film *film, Image *image, FilmCount *count, Error *error) {
         pixel[3] = weight > 0 ? 1.0f : 0.0f;
     }
     free(rest);
+    ok = ok && join_splats(film, image, error);
     if (!ok) image_free(image);
     *count = (FilmCount){.accepted = (uint64_t)llround(accepted), .rejected = (uint64_t)llround(rejected)};
     return ok;
@@ -104,16 +181,19 @@ bool film_read_search(const Film *film, FilmSearch *search, Error *error) {
 }
 
 bool film_read_pixel(const Film *film, int x, int y, FilmPixel *pixel, Error *error) {
-    float sum[4], rest[4], scatter[4];
+    float sum[4], rest[4], scatter[4], splat[4];
+    Rectangle place = {x, y, 1, 1};
     if (!target_read_pixel(&film->target, SUM, x, y, sum, error) ||
         !target_read_pixel(&film->target, REST, x, y, rest, error) ||
-        !target_read_pixel(&film->target, SCATTER, x, y, scatter, error)) {
+        !target_read_pixel(&film->target, SCATTER, x, y, scatter, error) ||
+        !read_splats(film, &place, splat, error)) {
         return false;
     }
     double samples = (double)sum[3], groups = (double)scatter[3];
     *pixel = (FilmPixel){.samples = samples};
     for (int c = 0; c < 3; c++) {
-        pixel->radiance[c] = samples > 0 ? ((double)sum[c] + (double)rest[c]) / samples : 0;
+        double mean = samples > 0 ? ((double)sum[c] + (double)rest[c]) / samples : 0;
+        pixel->radiance[c] = mean + (double)splat[c];
         pixel->variance[c] = groups >= 2 ? (double)scatter[c] / (groups - 1) / samples : NAN;
     }
     return true;

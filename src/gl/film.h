@@ -14,6 +14,11 @@
  * A film of a scene that searches (march()) has a fourth, `search`: rays that searched, their steps, those
  * that met a field that is no distance, and those that took all the steps they may.
  *
+ * A film of a scene whose light is traced from the lights to the camera too has a second sum, `splat`: that
+ * light falls on any pixel, and is added there point by point (rgb; alpha counts the points). It belongs to
+ * the picture as a whole: the mean of a pixel is sum / samples + scale * splat / light paths. The second sum
+ * is a plain float sum, which loses less than 1e-4 of itself up to a million points a pixel.
+ *
  * A pass's fragment shader includes pass/film.glsl and calls film_add() once a pixel, and before it
  * film_scatter() of pass/scatter.glsl and film_search() of pass/search.glsl, or of the files NAME_none.glsl.
  * Row 0 is the picture's top. */
@@ -24,13 +29,19 @@
 
 #include <stdint.h>
 
-enum { FILM_SCATTER = 1, FILM_SEARCH = 2 };
+enum { FILM_SCATTER = 1, FILM_SEARCH = 2, FILM_SPLAT = 4 };
 
 typedef struct Film {
     int width, height;
     unsigned parts;   /* beside sum and rest */
     Target target;    /* textures: sum, rest, scatter, search */
     uint64_t samples; /* a pixel, in committed passes over all pixels */
+    /* The second sum; 0 where there is none. */
+    GLuint splat, splat_framebuffer;
+    /* Paths whose light the second sum holds, counting those that reached no pixel. */
+    double light_paths;
+    /* The radiance of a pixel for splat / light_paths = 1; 1 unless the user of the film sets another. */
+    double splat_scale;
 } Film;
 
 typedef struct FilmCount {
@@ -42,7 +53,8 @@ typedef struct FilmSearch {
     double rays, steps, broken, cut;
 } FilmSearch;
 
-/* `parts`: of FILM_SCATTER, for film_read_variance(), and FILM_SEARCH, for film_read_search(). */
+/* `parts`: of FILM_SCATTER, for film_read_variance(); FILM_SEARCH, for film_read_search(); FILM_SPLAT, for
+ * film_splat_begin(). */
 MUST_CHECK bool film_create(Film *film, const Context *context, int width, int height, unsigned parts,
                             Error *error);
 void film_destroy(Film *film);
@@ -62,7 +74,14 @@ void film_keep(Film *film, const Rectangle *regions, int count);
  * committed never was. */
 void film_commit(Film *film, uint64_t samples);
 
-/* The mean radiance, alpha 1 where a sample was accepted and 0 elsewhere, and the counts. */
+/* Between these two, points are added to the second sum: program_draw_points() with a program of
+ * program_create_points(), which is in use and told `splat_size` by film_splat_begin(). `paths` is how many
+ * light paths the points stand for. A draw that was left out costs nothing but its paths. */
+void film_splat_begin(const Film *film, const Program *program);
+void film_splat_end(Film *film, double paths);
+
+/* The mean radiance, with the second sum's, alpha 1 where a sample was accepted and 0 elsewhere, and the
+ * counts. */
 MUST_CHECK bool film_read(const Film *film, Image *image, FilmCount *count, Error *error);
 
 /* Accepted samples: one float a pixel. */
@@ -77,7 +96,7 @@ MUST_CHECK bool film_read_search(const Film *film, FilmSearch *search, Error *er
 
 /* What a film with `scatter` knows of one pixel. */
 typedef struct FilmPixel {
-    double radiance[3]; /* the mean */
+    double radiance[3]; /* the mean, with the second sum's */
     double samples;     /* accepted */
     double variance[3]; /* of the mean, as film_read_variance() has it */
 } FilmPixel;

@@ -12,6 +12,7 @@
     X(PFNGLATTACHSHADERPROC, AttachShader)                                                                   \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                             \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                                                     \
+    X(PFNGLBLENDFUNCPROC, BlendFunc)                                                                         \
     X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                                                             \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                             \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                               \
