@@ -3,6 +3,8 @@
 
 #include "image/image.h"
 
+#include <stdbool.h>
+
 enum { SPREAD_SEEDS = 8, SPREAD_MOST_VALUES = 3 * 256 * 256 };
 
 /* A picture's mean over the seeds and the variance of that mean, by channel. */

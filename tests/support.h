@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "gl/context.h"
-#include "image/image.h"
+#include "image/format.h"
 
 /* Ends a test that needs OpenGL where there is none: skips it with the reason, or fails it if the environment
  * says REQUIRE_GL=1. */

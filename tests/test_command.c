@@ -2,6 +2,7 @@
 #include "support.h"
 
 #include "base/text.h"
+#include "image/exr_attribute.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,8 @@
 #include "support.h"
 
 #include "base/file.h"
-#include "image/image.h"
+#include "image/codec.h"
+#include "image/format.h"
 
 #include <dirent.h>
 #include <fcntl.h>

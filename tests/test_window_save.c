@@ -2,7 +2,7 @@
 #include "desktop.h"
 
 #include "base/file.h"
-#include "image/image.h"
+#include "image/format.h"
 
 #include <math.h>
 #include <png.h>

@@ -2,6 +2,8 @@
 
 #include "base/clock.h"
 #include "image/compare.h"
+#include "image/exr_attribute.h"
+#include "image/format.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,6 @@
 #include "cmd/cmd.h"
 #include "image/compare.h"
+#include "image/format.h"
 
 #include <math.h>
 #include <stdio.h>

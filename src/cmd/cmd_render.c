@@ -7,7 +7,7 @@
 #include "cmd/progress.h"
 #include "cmd/setup.h"
 #include "error/adaptive.h"
-#include "image/image.h"
+#include "image/format.h"
 #include "render/aov.h"
 #include "render/describe.h"
 #include "render/renderer.h"

@@ -5,7 +5,7 @@
 #include "cmd/cmd.h"
 #include "cmd/setup.h"
 #include "cmd/sky_rows.h"
-#include "image/image.h"
+#include "image/format.h"
 #include "render/describe.h"
 #include "sky/sky_probe.h"
 #include "sky/sky_reference.h"

@@ -1,5 +1,7 @@
 #include "image/compare.h"
 
+#include "base/text.h"
+
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,6 +1,7 @@
 /* Errors between two pictures, as this project defines them. */
 #pragma once
 
+#include "base/error.h"
 #include "image/image.h"
 
 /* All over the finite pixels that the mask admits, channels R, G, B. Percent where it says so. What is

@@ -1,4 +1,4 @@
-#include "image/image.h"
+#include "image/exr_attribute.h"
 
 #include <openexr.h>
 #include <string.h>

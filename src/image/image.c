@@ -1,12 +1,9 @@
 #include "image/image.h"
 
-#include "base/file.h"
+#include "base/text.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 Image image_create(int width, int height) {
     return (Image){.width = width,
@@ -27,104 +24,4 @@ void image_free(Image *image) {
     free(image->layers);
     free(image->rgba);
     *image = (Image){0};
-}
-
-void attribute_add(AttributeList *list, const char *name, const char *format, ...) {
-    va_list arguments, again;
-    va_start(arguments, format);
-    va_copy(again, arguments);
-    int length = vsnprintf(NULL, 0, format, arguments);
-    va_end(arguments);
-    size_t size = length > 0 ? (size_t)length + 1 : 1;
-    char *value = memory_get(size, 1);
-    vsnprintf(value, size, format, again);
-    va_end(again);
-
-    list->items = memory_grow(list->items, (size_t)list->count + 1, sizeof *list->items);
-    list->items[list->count++] = (Attribute){strdup(name), value};
-}
-
-void attribute_list_free(AttributeList *list) {
-    for (int i = 0; i < list->count; i++) {
-        free(list->items[i].name);
-        free(list->items[i].value);
-    }
-    free(list->items);
-    *list = (AttributeList){0};
-}
-
-typedef enum Format { FORMAT_EXR, FORMAT_PNG, FORMAT_PFM, FORMAT_COUNT } Format;
-
-static const char *const format_extensions[FORMAT_COUNT] = {".exr", ".png", ".pfm"};
-
-/* From the last dot of the path's last part on; "" if there is none, or nothing in front of it. */
-static const char *extension_of(const char *path) {
-    const char *slash = strrchr(path, '/');
-    const char *name = slash ? slash + 1 : path;
-    const char *dot = strrchr(name, '.');
-    return dot && dot != name ? dot : "";
-}
-
-static bool format_choose(const char *path, Format *format, Error *error) {
-    const char *extension = extension_of(path);
-    for (int i = 0; i < FORMAT_COUNT; i++) {
-        if (strcasecmp(extension, format_extensions[i]) == 0) {
-            *format = (Format)i;
-            return true;
-        }
-    }
-    if (!*extension && file_is_special(path)) {
-        *format = FORMAT_EXR;
-        return true;
-    }
-    if (!*extension) {
-        return error_set(error, STATUS_USAGE, "%s: no extension to choose the format by: .exr, .png or .pfm",
-                         path);
-    }
-    return error_set(error, STATUS_USAGE, "%s: unknown extension '%s': .exr, .png and .pfm can be written",
-                     path, extension);
-}
-
-bool image_check_path(const char *path, Error *error) {
-    Format format;
-    return format_choose(path, &format, error);
-}
-
-bool image_keeps_layers(const char *path) {
-    Format format;
-    Error error;
-    return format_choose(path, &format, &error) && format == FORMAT_EXR;
-}
-
-bool image_write(const Image *image, const char *path, const ImageWriteParams *params, Error *error) {
-    Format format;
-    if (!format_choose(path, &format, error)) return false;
-
-    Text file = {0};
-    bool encoded = true;
-    if (format == FORMAT_EXR) encoded = exr_encode(image, params, &file, error);
-    if (format == FORMAT_PNG) encoded = png_encode(image, params, &file, error);
-    if (format == FORMAT_PFM) pfm_encode(image, &file);
-    bool written =
-        encoded ? file_replace(path, file.data, file.size, error) : error_prefix(error, "%s: ", path);
-    text_free(&file);
-    return written;
-}
-
-bool image_read(Image *image, const char *path, Error *error) {
-    *image = (Image){0};
-    Text file = {0};
-    bool read = file_read(path, STATUS_FAILURE, &file, error);
-    if (read) {
-        const char *start = text_string(&file);
-        if (file.size >= 4 && memcmp(start, "\x76\x2f\x31\x01", 4) == 0) {
-            read = exr_decode(image, path, &file, error);
-        } else if (file.size >= 2 && (memcmp(start, "PF", 2) == 0 || memcmp(start, "Pf", 2) == 0)) {
-            read = pfm_decode(image, path, &file, error);
-        } else {
-            read = error_set(error, STATUS_FAILURE, "%s: neither an EXR nor a PFM picture", path);
-        }
-    }
-    text_free(&file);
-    return read;
 }

@@ -1,4 +1,4 @@
-#include "image/image.h"
+#include "image/codec.h"
 
 #include <math.h>
 #include <png.h>

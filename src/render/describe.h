@@ -1,6 +1,7 @@
 /* A picture's metadata: enough to make it again. Names are "magichour.NAME" or "magichour.GROUP.NAME". */
 #pragma once
 
+#include "image/attribute.h"
 #include "render/renderer.h"
 
 /* One number or three. */

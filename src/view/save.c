@@ -1,6 +1,7 @@
 #include "view/save.h"
 
 #include "base/version.h"
+#include "image/format.h"
 #include "render/describe.h"
 #include "view/command.h"
 

@@ -1,173 +1,7 @@
-#include "image/image.h"
+#include "image/codec.h"
+#include "image/exr_stream.h"
 
-#include <openexr.h>
-#include <stdint.h>
-#include <stdio.h>
 #include <string.h>
-
-/* The file as OpenEXR sees it: bytes in memory. */
-typedef struct Stream {
-    const Text *in;
-    Text *out;
-    size_t start; /* of the file in `out` */
-} Stream;
-
-/* OpenEXR's first complaint about the file at hand, which would go to standard error; the first is the cause
- * of those that follow. It is not part of the stream, since complaints come with the context locked: asking
- * it for the stream would wait forever. */
-static _Thread_local char complaint[512];
-
-/* Names out of a broken file may hold anything; an error is one line. */
-static void line_clean(char *line) {
-    for (; *line; line++) {
-        if ((unsigned char)*line < ' ' || *line == 0x7f) *line = '?';
-    }
-}
-
-static void complaint_keep(exr_const_context_t context, exr_result_t code, const char *message) {
-    (void)context;
-    (void)code;
-    if (complaint[0]) return;
-    snprintf(complaint, sizeof complaint, "%s", message);
-    line_clean(complaint);
-}
-
-static const char *reason_of(exr_result_t code) {
-    return complaint[0] ? complaint : exr_get_default_error_message(code);
-}
-
-static int64_t stream_size(exr_const_context_t context, void *data) {
-    (void)context;
-    return (int64_t)((const Stream *)data)->in->size;
-}
-
-static int64_t stream_read(exr_const_context_t context, void *data, void *buffer, uint64_t size,
-                           uint64_t offset, exr_stream_error_func_ptr_t report) {
-    (void)context;
-    (void)report;
-    const Text *in = ((const Stream *)data)->in;
-    if (offset >= in->size) return 0;
-    if (size > in->size - offset) size = in->size - offset;
-    memcpy(buffer, in->data + offset, size);
-    return (int64_t)size;
-}
-
-/* OpenEXR comes back to fill in the table of chunks, and may leave a gap for it. */
-static int64_t stream_write(exr_const_context_t context, void *data, const void *buffer, uint64_t size,
-                            uint64_t offset, exr_stream_error_func_ptr_t report) {
-    (void)context;
-    (void)report;
-    Stream *stream = data;
-    Text *out = stream->out;
-    size_t at = stream->start + offset;
-    while (out->size < at) text_append(out, "", 1);
-    size_t inside = out->size - at < size ? out->size - at : size;
-    if (inside) memcpy(out->data + at, buffer, inside);
-    text_append(out, (const char *)buffer + inside, size - inside);
-    return (int64_t)size;
-}
-
-/* Writing */
-
-/* The picture itself is the first layer. */
-static int layer_count(const Image *image) {
-    return 1 + image->layer_count;
-}
-
-static ImageLayer layer_get(const Image *image, int i) {
-    return i ? image->layers[i - 1] : (ImageLayer){"", "RGBA", image->rgba};
-}
-
-static void channel_name(const ImageLayer *layer, size_t channel, char *name, size_t size) {
-    snprintf(name, size, "%s%s%c", layer->name, *layer->name ? "." : "", layer->channels[channel]);
-}
-
-/* OpenEXR puts the channels into the order of their names, as the format wants them. */
-static exr_result_t layer_declare(exr_context_t file, int part, const ImageLayer *layer) {
-    exr_result_t result = EXR_ERR_SUCCESS;
-    for (size_t c = 0; !result && layer->channels[c]; c++) {
-        char name[64];
-        channel_name(layer, c, name, sizeof name);
-        result = exr_add_channel(file, part, name, EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
-    }
-    return result;
-}
-
-static exr_result_t header_write(exr_context_t file, const Image *image, const ImageWriteParams *params) {
-    const AttributeList *attributes = params->attributes;
-    int part;
-    exr_result_t result = exr_add_part(file, NULL, EXR_STORAGE_SCANLINE, &part);
-    if (!result) {
-        result =
-            exr_initialize_required_attr_simple(file, part, image->width, image->height, EXR_COMPRESSION_ZIP);
-    }
-    for (int i = 0; !result && i < layer_count(image); i++) {
-        ImageLayer layer = layer_get(image, i);
-        result = layer_declare(file, part, &layer);
-    }
-    if (!result && params->latlong) result = exr_attr_set_envmap(file, part, "envmap", EXR_ENVMAP_LATLONG);
-    for (int i = 0; !result && attributes && i < attributes->count; i++) {
-        const Attribute *attribute = &attributes->items[i];
-        /* Readers from before OpenEXR 1.7 know names of up to 31 bytes only, so longer ones are only allowed
-         * where there is one. */
-        if (strlen(attribute->name) > 31) result = exr_set_longname_support(file, 1);
-        if (!result) result = exr_attr_set_string(file, part, attribute->name, attribute->value);
-    }
-    return result ? result : exr_write_header(file);
-}
-
-/* Points the channel at its numbers in row y of the layer, if it is one of the layer's. */
-static void channel_point(exr_coding_channel_info_t *channel, const ImageLayer *layer, int width, int y) {
-    size_t channels = strlen(layer->channels);
-    for (size_t c = 0; c < channels; c++) {
-        char name[64];
-        channel_name(layer, c, name, sizeof name);
-        if (strcmp(name, channel->channel_name) != 0) continue;
-        channel->user_pixel_stride = (int32_t)(channels * sizeof(float));
-        channel->user_line_stride = width * channel->user_pixel_stride;
-        channel->encode_from_ptr = (const uint8_t *)(layer->data + channels * (size_t)y * (size_t)width + c);
-    }
-}
-
-static exr_result_t chunk_write(exr_context_t file, const Image *image, int y) {
-    exr_chunk_info_t chunk;
-    exr_result_t result = exr_write_scanline_chunk_info(file, 0, y, &chunk);
-    if (result) return result;
-    exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
-    result = exr_encoding_initialize(file, 0, &chunk, &pipeline);
-    if (!result) {
-        for (int i = 0; i < layer_count(image); i++) {
-            ImageLayer layer = layer_get(image, i);
-            for (int c = 0; c < pipeline.channel_count; c++)
-                channel_point(&pipeline.channels[c], &layer, image->width, y);
-        }
-        result = exr_encoding_choose_default_routines(file, 0, &pipeline);
-    }
-    if (!result) result = exr_encoding_run(file, 0, &pipeline);
-    exr_encoding_destroy(file, &pipeline);
-    return result;
-}
-
-bool exr_encode(const Image *image, const ImageWriteParams *params, Text *out, Error *error) {
-    Stream stream = {.out = out, .start = out->size};
-    complaint[0] = 0;
-    exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    settings.error_handler_fn = complaint_keep;
-    settings.user_data = &stream;
-    settings.write_fn = stream_write;
-    exr_context_t file = NULL;
-    exr_result_t result = exr_start_write(&file, "EXR", EXR_WRITE_FILE_DIRECTLY, &settings);
-    if (!result) result = header_write(file, image, params);
-    int32_t lines = 0;
-    if (!result) result = exr_get_scanlines_per_chunk(file, 0, &lines);
-    for (int y = 0; !result && y < image->height; y += lines) result = chunk_write(file, image, y);
-    /* Writes the table of chunks, so it can fail as well. */
-    exr_result_t finished = file ? exr_finish(&file) : result;
-    if (!result) result = finished;
-    return result ? error_set(error, STATUS_OUTPUT, "EXR: %s", reason_of(result)) : true;
-}
-
-/* Reading */
 
 typedef struct Reader {
     exr_context_t file;
@@ -213,7 +47,7 @@ static bool channels_error(const exr_attr_chlist_t *list, const char *path, Erro
     Text names = {0};
     for (int i = 0; i < list->num_channels; i++)
         text_print(&names, "%s %s", i ? "," : "", list->entries[i].name.str);
-    if (names.data) line_clean(names.data);
+    if (names.data) exr_line_clean(names.data);
     error_set(error, STATUS_FAILURE,
               "%s: EXR with neither R, G, B nor one layer of them nor Y; its channels:%s", path,
               names.size ? text_string(&names) : " none");
@@ -328,7 +162,7 @@ static void alpha_fill(Image *image) {
 }
 
 static bool broken_error(exr_result_t result, const char *path, Error *error) {
-    return error_set(error, STATUS_FAILURE, "%s: broken EXR: %s", path, reason_of(result));
+    return error_set(error, STATUS_FAILURE, "%s: broken EXR: %s", path, exr_reason(result));
 }
 
 /* As of 3.1.5, OpenEXR's C library lacks DWA, and its B44 gives wrong pictures. */
@@ -374,13 +208,8 @@ static bool header_read(Reader *reader, exr_storage_t *storage, const char *path
 
 bool exr_decode(Image *image, const char *path, const Text *file, Error *error) {
     *image = (Image){0};
-    Stream stream = {.in = file};
-    complaint[0] = 0;
-    exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    settings.error_handler_fn = complaint_keep;
-    settings.user_data = &stream;
-    settings.read_fn = stream_read;
-    settings.size_fn = stream_size;
+    ExrStream stream = {.in = file};
+    exr_context_initializer_t settings = exr_settings(&stream);
     /* Broken headers and truncated pictures are errors: OpenEXR would make up what is missing. */
     settings.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
 

@@ -1,0 +1,7 @@
+/* The metadata of an EXR file. */
+#pragma once
+
+#include "base/text.h"
+
+/* Appends the metadata of that name; false where there is no such file or line. */
+MUST_CHECK bool exr_attribute(const char *path, const char *name, Text *value);

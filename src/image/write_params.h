@@ -1,0 +1,24 @@
+/* How linear radiance becomes what a file holds. */
+#pragma once
+
+#include "image/attribute.h"
+
+#include <stdbool.h>
+
+typedef enum Tone {
+    /* The author's tone curve, Narkowicz's fit of ACES. */
+    TONE_AUTHOR,
+    /* Clamp at 1. */
+    TONE_NONE
+} Tone;
+
+/* Zero is the default. */
+typedef struct ImageWriteParams {
+    /* Of display formats only: radiance is multiplied by 2^exposure, then goes through the curve. */
+    double exposure_ev;
+    Tone tone;
+    /* Of EXR: a map of all directions, in OpenEXR's lat-long layout. */
+    bool latlong;
+    /* May be NULL. */
+    const AttributeList *attributes;
+} ImageWriteParams;
