@@ -36,7 +36,7 @@ static void render_suns(const Context *context, const char *scene_path, const ch
         .scene = &scene, .library = "glsl", .sky = sky, .light = "cosine", .width = SIZE, .height = SIZE};
     if (!renderer_create(&renderer, context, &params, &error)) fail_msg("%s", error.text);
     for (int s = 0; s < SUNS; s++) {
-        SkyState state = {scene.atmosphere, suns[s], scene.sun_azimuth_deg};
+        SkyState state = {scene.values.atmosphere, sun_at(suns[s], scene.values.sun.azimuth_deg, 0.2666)};
         film_reset(&renderer.film);
         assert_true(sky_use(&renderer.sky, &renderer.program, &state, &error));
         for (int i = 0; i < PASSES; i++) assert_true(renderer_pass(&renderer, 16, NULL, &error));
@@ -119,7 +119,7 @@ static void test_skies(void **state) {
     Context context;
     support_open(&context);
     for (int k = 0; k < 4 * 5 * 2; k++) {
-        SkyState sky = {atmosphere_preset(k % 2 ? 2 : 0)->atmosphere, places[k / 2 % 5], 30};
+        SkyState sky = {atmosphere_preset(k % 2 ? 2 : 0)->atmosphere, sun_at(places[k / 2 % 5], 30, 0.2666)};
         sky.atmosphere.observer_height_m = heights[k / 10];
         ask_sky(&context, "gauss:12", &sky, truth);
         for (int m = 0; m < 3; m++) {
@@ -127,10 +127,10 @@ static void test_skies(void **state) {
             Error error;
             assert_true(method_choose(&choice, METHOD_SKY, methods[m], &error));
             ask_sky(&context, methods[m], &sky, got);
-            double claimed = bias_sky_percent(&choice, sky.sun_elevation_deg, &sky.atmosphere);
+            double claimed = bias_sky_percent(&choice, sky.sun.elevation_deg, &sky.atmosphere);
             double measured = rel_rmse_percent(got, truth, DIRECTIONS);
             print_message("%-22s sun %4g, %6g m, ozone %g: claimed %.4f %%, over the sky %.4f %%\n",
-                          methods[m], sky.sun_elevation_deg, sky.atmosphere.observer_height_m,
+                          methods[m], sky.sun.elevation_deg, sky.atmosphere.observer_height_m,
                           sky.atmosphere.ozone, claimed, measured);
             assert_true(measured <= claimed);
         }
@@ -225,7 +225,7 @@ static void test_sizes(void **state) {
         int sizes[7];
         assert_true(sky_probe_create(&probe, &context, "glsl", &choice, atmosphere, &error));
         for (int i = 0; i < 7; i++) {
-            SkyState sky = {*atmosphere, moving[i], 0};
+            SkyState sky = {*atmosphere, sun_at(moving[i], 0, 0.2666)};
             assert_true(sky_probe_ask(&probe, &sky, directions, 1, radiance, &error));
             print_message("%s, sun %g: %dx%d\n", choice.text, moving[i], probe.sky.columns, probe.sky.rows);
             assert_int_equal(probe.sky.rows, k == 1 ? 30 : 3 * probe.sky.columns);

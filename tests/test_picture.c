@@ -355,8 +355,7 @@ static void test_cuts_agree(void **state) {
 static RenderParams read_sunward(Scene *scene, const char *path, double azimuth_deg) {
     Error error;
     if (!scene_read(scene, path, &error)) fail_msg("%s", error.text);
-    scene->sun_elevation_deg = 5;
-    scene->sun_azimuth_deg = azimuth_deg;
+    scene_set_sun(scene, 5, azimuth_deg);
     return (RenderParams){.scene = scene,
                           .library = "glsl",
                           .sky = "uniform",
@@ -391,10 +390,10 @@ static void test_image_of_broken_scene(void **state) {
     if (!renderer_create(&other, &context, &params, &error)) fail_msg("%s", error.text);
     assert_true(other.sun.rectangle_count > 0);
     Image expected = take_picture(&other);
-    scene.sun_azimuth_deg = 180;
+    scene_set_sun(&scene, scene.values.sun.elevation_deg, 180);
     if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
     assert_int_equal(renderer.sun.rectangle_count, 0);
-    scene.sun_azimuth_deg = 0;
+    scene_set_sun(&scene, scene.values.sun.elevation_deg, 0);
     support_write("tint.glsl", "vec3 tint() { return vec3(0.5, ); }\n");
     if (!renderer_restart(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
     Image image = take_picture(&renderer);
@@ -421,7 +420,7 @@ static void test_refused_restart(void **state) {
     RenderParams params = read_sunward(&scene, path, 180);
     if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
     Image expected = take_picture(&renderer);
-    scene.sun_azimuth_deg = 0;
+    scene_set_sun(&scene, scene.values.sun.elevation_deg, 0);
     params.width = 40;
     assert_false(renderer_restart(&renderer, &context, &params, &error));
     assert_int_equal(error.status, STATUS_SCENE);

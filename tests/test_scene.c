@@ -28,23 +28,24 @@ static void test_annotations(void **state) {
                      "uniform vec3 tint; //@ color 0.1 0.2 0.3 label paint\n"
                      "float f() { return 1.0; } // not one: //@ frob\n");
     if (!scene_read(&scene, path, &error)) fail_msg("%s", error.text);
-    assert_string_equal(scene.title, "A scene");
-    assert_true(scene.eye[2] == 3 && scene.target[0] == 4 && scene.fov_deg == 40);
-    assert_true(scene.sun_elevation_deg == -2 && scene.sun_azimuth_deg == 90);
-    assert_int_equal(scene.width, 320);
-    assert_int_equal(scene.height, 200);
-    assert_true(scene.exposure_ev == 2);
-    assert_string_equal(scene.sky, "uniform:3");
-    assert_true(scene.atmosphere.rayleigh_scatter_per_m[0] == 3.8e-6);
-    assert_int_equal(scene.parameter_count, 3);
-    assert_string_equal(scene.parameters[0].label, "how high");
-    assert_string_equal(scene.parameters[0].unit, "m");
-    assert_true(scene.parameters[1].value[0] == 0);
-    assert_true(scene.parameters[2].value[2] == 0.3);
+    assert_string_equal(scene.file->title, "A scene");
+    assert_true(scene.values.camera.eye[2] == 3 && scene.values.camera.target[0] == 4 &&
+                scene.values.camera.fov_deg == 40);
+    assert_true(scene.values.sun.elevation_deg == -2 && scene.values.sun.azimuth_deg == 90);
+    assert_int_equal(scene.file->width, 320);
+    assert_int_equal(scene.file->height, 200);
+    assert_true(scene.values.exposure_ev == 2);
+    assert_string_equal(scene.file->sky, "uniform:3");
+    assert_true(scene.values.atmosphere.rayleigh_scatter_per_m[0] == 3.8e-6);
+    assert_int_equal(scene.file->parameter_count, 3);
+    assert_string_equal(scene.file->parameters[0].label, "how high");
+    assert_string_equal(scene.file->parameters[0].unit, "m");
+    assert_true(scene.values.parameters[1][0] == 0);
+    assert_true(scene.values.parameters[2][2] == 0.3);
     assert_true(scene_choose_preset(&scene, "low", &error));
-    assert_true(scene.sun_elevation_deg == 1 && scene.parameters[0].value[0] == 2.5);
-    assert_true(scene.parameters[2].value[0] == 1 && scene.atmosphere.mie_g == 0.5);
-    assert_true(scene_set(&scene, "lamp", "on", &error) && scene.parameters[1].value[0] == 1);
+    assert_true(scene.values.sun.elevation_deg == 1 && scene.values.parameters[0][0] == 2.5);
+    assert_true(scene.values.parameters[2][0] == 1 && scene.values.atmosphere.mie_g == 0.5);
+    assert_true(scene_set(&scene, "lamp", "on", &error) && scene.values.parameters[1][0] == 1);
     assert_false(scene_set(&scene, "lamp", "2", &error));
     assert_false(scene_set(&scene, "height", "3.5", &error));
     assert_non_null(strstr(error.text, "height: '3.5' is not a number from -1 to 3"));
@@ -290,12 +291,55 @@ static void test_materials(void **state) {
     glsl_source_destroy(&source);
 }
 
+static void expect_sun(const Sun *sun) {
+    double degree = acos(-1) / 180, elevation = sun->elevation_deg * degree,
+           azimuth = sun->azimuth_deg * degree;
+    assert_true(fabs(sun->direction[0] - cos(elevation) * sin(azimuth)) < 1e-12);
+    assert_true(fabs(sun->direction[1] - sin(elevation)) < 1e-12);
+    assert_true(fabs(sun->direction[2] - cos(elevation) * cos(azimuth)) < 1e-12);
+    assert_true(fabs(sun->level[0] - sin(azimuth)) < 1e-12 && fabs(sun->level[2] - cos(azimuth)) < 1e-12);
+    assert_true(fabs(sun->level[1]) < 1e-12);
+}
+
+/* The sun's vectors follow whatever moves it, and two scenes are the same by their file and their values. */
+static void test_values(void **state) {
+    (void)state;
+    Scene scene, again;
+    Error error;
+    const char *path =
+        support_write("sun.glsl", "//@ sun azimuth 70 elevation 12\n//@ preset low sun.elevation 1\n"
+                                  "uniform float a; //@ slider 0.5\n");
+    assert_true(scene_read(&scene, path, &error) && scene_read(&again, path, &error));
+    assert_true(scene.values.sun.elevation_deg == 12);
+    expect_sun(&scene.values.sun);
+    assert_true(scene_set(&scene, "sun.azimuth", "-110", &error));
+    expect_sun(&scene.values.sun);
+    assert_true(scene_choose_preset(&scene, "low", &error) && scene.values.sun.elevation_deg == 1);
+    expect_sun(&scene.values.sun);
+    scene_set_sun(&scene, 90, 45);
+    expect_sun(&scene.values.sun);
+    Scene shared = scene_share(&scene);
+    scene_destroy(&scene);
+    assert_string_equal(shared.file->path, path);
+    Scene copy = shared;
+    assert_true(scene_same(&copy, &shared));
+    assert_true(scene_set(&copy, "a", "0.25", &error) && !scene_same(&copy, &shared));
+    assert_true(scene_set(&copy, "a", "0.5", &error) && scene_same(&copy, &shared));
+    copy.values.sun_disk = true;
+    assert_false(scene_same(&copy, &shared));
+    Scene other = {again.file, shared.values};
+    assert_false(scene_same(&other, &shared));
+    scene_destroy(&shared);
+    scene_destroy(&again);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_annotations),     cmocka_unit_test(test_annotations_refused),
         cmocka_unit_test(test_atmosphere),      cmocka_unit_test(test_flatten),
         cmocka_unit_test(test_flatten_refused), cmocka_unit_test(test_defines),
         cmocka_unit_test(test_materials),       cmocka_unit_test(test_own_file),
+        cmocka_unit_test(test_values),
     };
     return cmocka_run_group_tests_name("scene", tests, support_folder, support_clean);
 }

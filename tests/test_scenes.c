@@ -58,8 +58,8 @@ static void expect_sun(const Scene *scene, const char *preset, double elevation)
     Scene trial = *scene;
     Error error;
     if (!scene_choose_preset(&trial, preset, &error)) fail_msg("%s", error.text);
-    if (trial.sun_elevation_deg != elevation)
-        fail_msg("%s: preset %s: sun at %g", scene->path, preset, trial.sun_elevation_deg);
+    if (trial.values.sun.elevation_deg != elevation)
+        fail_msg("%s: preset %s: sun at %g", scene->file->path, preset, trial.values.sun.elevation_deg);
 }
 
 /* A title, what to look for, labels, and the three suns where the sky is the sun's. */
@@ -69,12 +69,13 @@ static void test_words(void **state) {
         Scene scene;
         Error error;
         if (!scene_read(&scene, paths[i], &error)) fail_msg("%s", error.text);
-        if (!scene.title[0] || !scene.look[0]) fail_msg("%s: no title or nothing to look for", paths[i]);
-        for (int k = 0; k < scene.parameter_count; k++) {
-            if (!scene.parameters[k].label[0])
-                fail_msg("%s: %s has no label", paths[i], scene.parameters[k].name);
+        if (!scene.file->title[0] || !scene.file->look[0])
+            fail_msg("%s: no title or nothing to look for", paths[i]);
+        for (int k = 0; k < scene.file->parameter_count; k++) {
+            if (!scene.file->parameters[k].label[0])
+                fail_msg("%s: %s has no label", paths[i], scene.file->parameters[k].name);
         }
-        if (!scene.sky[0]) {
+        if (!scene.file->sky[0]) {
             expect_sun(&scene, "noon", 60);
             expect_sun(&scene, "sunset", 5);
             expect_sun(&scene, "twilight", -2);

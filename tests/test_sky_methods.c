@@ -56,7 +56,7 @@ static void open_probe(const Context *context, SkyProbe *probe, const char *meth
 /* One direction of a sky; slow, for few. */
 static void ask(SkyProbe *probe, const Atmosphere *atmosphere, double height, double sun_deg, double view_deg,
                 double az_deg, float out[4]) {
-    SkyState state = {*atmosphere, sun_deg, 0};
+    SkyState state = {*atmosphere, sun_at(sun_deg, 0, 0.2666)};
     double view[3];
     Error error;
     state.atmosphere.observer_height_m = height;
@@ -162,7 +162,7 @@ static void test_table(void **state) {
     open_probe(&context, &probes[0], "table:gauss:8", atmosphere);
     open_probe(&context, &probes[1], "gauss:8", atmosphere);
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
-        SkyState sky = {*atmosphere, cases[k].sun, 20};
+        SkyState sky = {*atmosphere, sun_at(cases[k].sun, 20, 0.2666)};
         double mean[3] = {0};
         for (int i = 0; i < MOST; i++) {
             double u = (i + 0.5) / MOST, view[3];
@@ -196,15 +196,15 @@ static void test_fills(void **state) {
     (void)state;
     Context context;
     SkyProbe probe;
-    SkyState sky = {atmosphere_preset(0)->atmosphere, 30, 0};
+    SkyState sky = {atmosphere_preset(0)->atmosphere, sun_at(30, 0, 0.2666)};
     float direction[4] = {0, 1, 0, 0}, radiance[4];
     Error error;
     support_open(&context);
     open_probe(&context, &probe, "table", &sky.atmosphere);
     static const int expected[] = {1, 1, 1, 2, 3, 4};
     for (int step = 0; step < 6; step++) {
-        if (step == 2) sky.sun_azimuth_deg = 90;
-        if (step == 3) sky.sun_elevation_deg = 1;
+        if (step == 2) sky.sun = sun_at(30, 90, 0.2666);
+        if (step == 3) sky.sun = sun_at(1, 90, 0.2666);
         if (step == 4) sky.atmosphere.observer_height_m = 50;
         if (step == 5) sky.atmosphere.mie_scatter_per_m[1] = 1e-5;
         assert_true(sky_probe_ask(&probe, &sky, direction, 1, radiance, &error));
@@ -242,7 +242,7 @@ static void test_irradiance(void **state) {
                 unit_vector(asin(c) / degree, 360.0 * (i % SIDE + 0.5) / SIDE, view);
                 for (int k = 0; k < 3; k++) values[4 * i + k] = (float)view[k];
             }
-            SkyState sky = {*atmosphere, sun, 0};
+            SkyState sky = {*atmosphere, sun_at(sun, 0, 0.2666)};
             assert_true(sky_probe_ask(&probe, &sky, values, (size_t)SIDE * SIDE, values, &error));
             for (int i = 0; i < 3 * SIDE * SIDE; i++) {
                 sum[i % 3] += (double)values[4 * (i / 3) + i % 3] * 2 * (i / 3 / SIDE + 0.5) / SIDE;
@@ -356,7 +356,7 @@ static void test_extremes(void **state) {
             open_probe(&context, &probe, methods[m], &atmosphere);
             for (int k = 0; k < 4 * 4 * 9 * 6; k++) {
                 float values[4 * 8 * 3];
-                SkyState sky = {atmosphere, suns[k % 6], 0};
+                SkyState sky = {atmosphere, sun_at(suns[k % 6], 0, 0.2666)};
                 sky.atmosphere.observer_height_m = heights[k / 6 % 9];
                 sky.atmosphere.rayleigh = sky.atmosphere.mie = densities[k / 54 % 4];
                 sky.atmosphere.mie_g = asymmetries[k / 216];
@@ -371,11 +371,11 @@ static void test_extremes(void **state) {
                         float got = values[4 * i + c];
                         if (!isfinite(got) || got < 0) {
                             fail_msg("%s, height %g, sun %g, view %g, density x%g, g %g: %g", methods[m],
-                                     sky.atmosphere.observer_height_m, sky.sun_elevation_deg, views[i % 8],
+                                     sky.atmosphere.observer_height_m, sky.sun.elevation_deg, views[i % 8],
                                      sky.atmosphere.mie, sky.atmosphere.mie_g, (double)got);
                         }
                     }
-                    bool sky_seen = views[i % 8] >= 0 && sky.sun_elevation_deg >= 20 &&
+                    bool sky_seen = views[i % 8] >= 0 && sky.sun.elevation_deg >= 20 &&
                                     sky.atmosphere.mie == 1 && sky.atmosphere.observer_height_m <= 10;
                     if (sky_seen && !(values[4 * i + 1] > 1e-3f)) fail_msg("%s: a ray is lost", methods[m]);
                 }

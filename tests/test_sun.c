@@ -204,11 +204,12 @@ static void test_cover(void **state) {
     double worst = 0;
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         Scene scene = scene_default("test");
-        memset(scene.eye, 0, sizeof scene.eye);
-        memcpy(scene.target, cases[k].eye_to, sizeof scene.target);
-        scene.fov_deg = cases[k].fov;
+        memset(scene.values.camera.eye, 0, sizeof scene.values.camera.eye);
+        memcpy(scene.values.camera.target, cases[k].eye_to, sizeof scene.values.camera.target);
+        scene.values.camera.fov_deg = cases[k].fov;
         Camera camera = camera_of(&scene, cases[k].width, cases[k].height);
-        SunDisk disk = sun_disk(&atmosphere, cases[k].sun[0], cases[k].sun[1], 0.2666);
+        Sun sun = sun_at(cases[k].sun[0], cases[k].sun[1], 0.2666);
+        SunDisk disk = sun_disk(&atmosphere, &sun);
         Rectangle r = camera_cone_rectangle(&camera, disk.middle, disk.radius);
         assert_true(r.width > 0 && r.height > 0);
         float *cover = calloc((size_t)r.width * (size_t)r.height, 4 * sizeof *cover), brightest = 0;
@@ -321,7 +322,7 @@ static void test_sky_sampler(void **state) {
     target = texture_create(gl, SIDE, SIDE, GL_NEAREST, NULL);
     for (int k = 0; k < 20; k++) {
         enum { COLUMNS = 16, ROWS = 24, GROUPS = COLUMNS * ROWS };
-        SkyState sun = {atmosphere, suns[k / 2], k % 2 ? 137 : 0};
+        SkyState sun = {atmosphere, sun_at(suns[k / 2], k % 2 ? 137 : 0, 0.2666)};
         double expected[GROUPS] = {0}, sum = 0, chi2 = 0, horizon = sky_horizon_sine(&atmosphere);
         int counts[GROUPS] = {0}, freedom = -1;
         assert_true(sky_sampler_use(&sampler, &patches, &sky, &program, &sun, &error));
@@ -357,8 +358,8 @@ static void test_sky_sampler(void **state) {
         }
         double deviations = (chi2 - freedom) / sqrt(2.0 * freedom);
         if (fabs(sum - 1) > 1e-4 || fabs(deviations) > 4)
-            fail_msg("sun %g,%g: density sums to %.6f; chi-square %.1f deviations off", sun.sun_elevation_deg,
-                     sun.sun_azimuth_deg, sum, deviations);
+            fail_msg("sun %g,%g: density sums to %.6f; chi-square %.1f deviations off", sun.sun.elevation_deg,
+                     sun.sun.azimuth_deg, sum, deviations);
     }
     gl->DeleteFramebuffers(1, &framebuffer);
     gl->DeleteTextures(1, &target);

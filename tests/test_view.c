@@ -14,15 +14,17 @@ static void test_orbit(void **state) {
     (void)state;
     Scene scene = scene_default("none");
     orbit_turn(&scene, 90, 0);
-    assert_true(fabs(scene.eye[0] - 4) < 1e-9 && fabs(scene.eye[1] - 2) < 1e-9 && fabs(scene.eye[2]) < 1e-9);
+    assert_true(fabs(scene.values.camera.eye[0] - 4) < 1e-9 && fabs(scene.values.camera.eye[1] - 2) < 1e-9 &&
+                fabs(scene.values.camera.eye[2]) < 1e-9);
     orbit_turn(&scene, 0, 1000);
-    assert_true(fabs(orbit_distance(&scene) - sqrt(20)) < 1e-9 && scene.eye[1] < -4);
+    assert_true(fabs(orbit_distance(&scene) - sqrt(20)) < 1e-9 && scene.values.camera.eye[1] < -4);
     orbit_zoom(&scene, 0);
     assert_true(orbit_distance(&scene) > 0);
     for (int i = 0; i < 40; i++) orbit_zoom(&scene, 1e3);
     assert_true(orbit_distance(&scene) < 1.1e5);
     for (int i = 0; i < 100; i++) orbit_move(&scene, 1e5, 1e5, 1e5);
-    for (int i = 0; i < 3; i++) assert_true(fabs(scene.eye[i]) <= 1e6 && fabs(scene.target[i]) <= 1e6);
+    for (int i = 0; i < 3; i++)
+        assert_true(fabs(scene.values.camera.eye[i]) <= 1e6 && fabs(scene.values.camera.target[i]) <= 1e6);
     scene_destroy(&scene);
 }
 
@@ -59,9 +61,10 @@ static void test_carry(void **state) {
     assert_true(scene_set(&current, "b", "9", &error) && scene_set(&current, "sun.azimuth", "7", &error));
     assert_true(scene_set(&current, "atmosphere.mie", "0.5", &error));
     carry_over(&next, &file, &current);
-    assert_true(next.parameters[0].value[0] == 4 && next.parameters[1].value[0] == 5);
-    assert_true(next.sun_elevation_deg == 40 && next.sun_azimuth_deg == 7 && next.exposure_ev == 1);
-    assert_true(next.atmosphere.mie == 0.5 && next.atmosphere.rayleigh == 1);
+    assert_true(next.values.parameters[0][0] == 4 && next.values.parameters[1][0] == 5);
+    assert_true(next.values.sun.elevation_deg == 40 && next.values.sun.azimuth_deg == 7 &&
+                next.values.exposure_ev == 1);
+    assert_true(next.values.atmosphere.mie == 0.5 && next.values.atmosphere.rayleigh == 1);
     scene_destroy(&file);
     scene_destroy(&next);
 }

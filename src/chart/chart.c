@@ -9,7 +9,7 @@ char *chart_path(const ChartParams *params, const char *name) {
 void chart_describe(const ChartParams *params, Text *out) {
     const RenderParams *picture = &params->picture;
     const Scene *scene = picture->scene;
-    text_print(out, "%s, %dx%d, sun at %g", scene->title[0] ? scene->title : scene->path,
-               picture->width ? picture->width : scene->width,
-               picture->height ? picture->height : scene->height, scene->sun_elevation_deg);
+    text_print(out, "%s, %dx%d, sun at %g", scene->file->title[0] ? scene->file->title : scene->file->path,
+               picture->width ? picture->width : scene->file->width,
+               picture->height ? picture->height : scene->file->height, scene->values.sun.elevation_deg);
 }

@@ -45,8 +45,9 @@ static void add(Paths *paths, const Drawn *curve) {
 static bool sky_integrates(const RenderParams *picture) {
     MethodChoice choice;
     Error ignored;
-    return !picture->scene->sky[0] ||
-           (method_choose(&choice, METHOD_SKY, picture->scene->sky, &ignored) && choice.method->integrates);
+    return !picture->scene->file->sky[0] ||
+           (method_choose(&choice, METHOD_SKY, picture->scene->file->sky, &ignored) &&
+            choice.method->integrates);
 }
 
 /* One light under auto's sky, by adaptive sampling and evenly: of the second the other sequences too where
@@ -78,7 +79,7 @@ static void choose_curves(Paths *paths) {
                                         "gauss:12", "paper:16x4", "paper:64x16"};
     const RenderParams *picture = &paths->params->picture;
     bool integrates = sky_integrates(picture);
-    bool control = integrates && picture->scene->bound_count;
+    bool control = integrates && scene_hint_count(picture->scene, HINT_BOUND);
     add(paths, &(Drawn){.combination = {.adaptive = true}});
     if (control) add_light(paths, "control", 0, true);
     add_light(paths, "mis", 1, false);

@@ -68,7 +68,7 @@ static void choose_directions(SkyJob *job) {
 
 static void find_truth(SkyJob *job) {
     const SkyState *s = &job->state;
-    double elevation = s->sun_elevation_deg * degree, azimuth = s->sun_azimuth_deg * degree;
+    double elevation = s->sun.elevation_deg * degree, azimuth = s->sun.azimuth_deg * degree;
     double sun[3] = {cos(elevation) * sin(azimuth), sin(elevation), cos(elevation) * cos(azimuth)};
     for (int i = 0; i < DIRECTIONS && !monitor_stopped(&job->params->monitor); i++) {
         const float *direction = job->directions + 4 * i;
@@ -191,7 +191,7 @@ static bool draw(const SkyJob *job, Error *error) {
     PlotPanel *panel = &plot->panels[plot->panel_count++];
     const Atmosphere *a = &job->state.atmosphere;
     snprintf(plot->title, sizeof plot->title, "The sky: error against cost of a lookup, sun at %g",
-             job->state.sun_elevation_deg);
+             job->state.sun.elevation_deg);
     snprintf(plot->subtitle, sizeof plot->subtitle,
              "%d directions from %g m high, against adaptive quadrature; %s", DIRECTIONS,
              a->observer_height_m, params->context->renderer);
@@ -219,8 +219,8 @@ static bool open_ledger(SkyJob *job, Error *error) {
         picture.sky = families[f].methods[0];
         ok = identity_add_shader(&picture, &hash, error);
     }
-    text_print(&identity, "%s# sun %.9g,%.9g\n# atmosphere", params->identity, job->state.sun_elevation_deg,
-               job->state.sun_azimuth_deg);
+    text_print(&identity, "%s# sun %.9g,%.9g\n# atmosphere", params->identity, job->state.sun.elevation_deg,
+               job->state.sun.azimuth_deg);
     for (int i = 0; atmosphere_field(i); i++) {
         const double *value = atmosphere_value(a, atmosphere_field(i));
         for (int k = 0; k < atmosphere_field(i)->count; k++) text_print(&identity, " %.9g", value[k]);
@@ -238,7 +238,7 @@ bool chart_sky(const ChartParams *params, Error *error) {
     const Scene *scene = params->picture.scene;
     SkyJob *job = memory_get(1, sizeof *job);
     job->params = params;
-    job->state = (SkyState){scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg};
+    job->state = (SkyState){scene->values.atmosphere, scene->values.sun};
     choose_directions(job);
     bool ok = open_ledger(job, error);
     if (ok) find_truth(job);

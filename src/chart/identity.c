@@ -22,24 +22,25 @@ static void print_values(const char *name, const double *values, int count, Text
 void identity_of_picture(const RenderParams *params, Text *out) {
     const Scene *scene = params->scene;
     Text rest = {0};
-    print_values("eye", scene->eye, 3, &rest);
-    print_values("target", scene->target, 3, &rest);
-    print_values("fov", &scene->fov_deg, 1, &rest);
-    print_values("radius", &scene->sun_radius_deg, 1, &rest);
-    for (int i = 0; i < scene->parameter_count; i++)
-        print_values(scene->parameters[i].name, scene->parameters[i].value, 3, &rest);
+    print_values("eye", scene->values.camera.eye, 3, &rest);
+    print_values("target", scene->values.camera.target, 3, &rest);
+    print_values("fov", &scene->values.camera.fov_deg, 1, &rest);
+    print_values("radius", &scene->values.sun.radius_deg, 1, &rest);
+    for (int i = 0; i < scene->file->parameter_count; i++)
+        print_values(scene->file->parameters[i].name, scene->values.parameters[i], 3, &rest);
     for (int i = 0; atmosphere_field(i); i++) {
         const AtmosphereField *field = atmosphere_field(i);
-        print_values(field->name, atmosphere_value(&scene->atmosphere, field), field->count, &rest);
+        print_values(field->name, atmosphere_value(&scene->values.atmosphere, field), field->count, &rest);
     }
-    text_print(out, "# scene %s\n# sun %.9g,%.9g disk %s\n", scene->path, scene->sun_elevation_deg,
-               scene->sun_azimuth_deg,
-               params->sun_disk  ? params->sun_disk
-               : scene->sun_disk ? "on"
-                                 : "off");
+    text_print(out, "# scene %s\n# sun %.9g,%.9g disk %s\n", scene->file->path,
+               scene->values.sun.elevation_deg, scene->values.sun.azimuth_deg,
+               params->sun_disk         ? params->sun_disk
+               : scene->values.sun_disk ? "on"
+                                        : "off");
     text_print(out, "# size %dx%d, depth %d\n# settings %016" PRIx64 "\n",
-               params->width ? params->width : scene->width, params->height ? params->height : scene->height,
-               params->max_hits, hash_bytes(0, rest.data, rest.size));
+               params->width ? params->width : scene->file->width,
+               params->height ? params->height : scene->file->height, params->max_hits,
+               hash_bytes(0, rest.data, rest.size));
     text_free(&rest);
 }
 

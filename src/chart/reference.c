@@ -74,7 +74,7 @@ static bool render_part(Maker *maker, Part *part, Image *half, Error *error) {
 static bool integrates(const RenderParams *params) {
     MethodChoice choice;
     Error ignored;
-    const char *sky = params->sky ? params->sky : params->scene->sky;
+    const char *sky = params->sky ? params->sky : params->scene->file->sky;
     return method_choose(&choice, METHOD_SKY, *sky ? sky : NULL, &ignored) && choice.method->integrates;
 }
 

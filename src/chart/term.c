@@ -27,37 +27,37 @@ static bool has_air(const Renderer *renderer) {
 
 static TermState rayleigh_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
-    return state_of(has_air(renderer), params->scene->atmosphere.rayleigh > 0);
+    return state_of(has_air(renderer), params->scene->values.atmosphere.rayleigh > 0);
 }
 
 static void rayleigh_turn(const Term *term, Variation *variation, bool on) {
     (void)term;
-    variation->scene.atmosphere.rayleigh = on;
+    variation->scene.values.atmosphere.rayleigh = on;
 }
 
 static TermState mie_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
-    return state_of(has_air(renderer), params->scene->atmosphere.mie > 0);
+    return state_of(has_air(renderer), params->scene->values.atmosphere.mie > 0);
 }
 
 static void mie_turn(const Term *term, Variation *variation, bool on) {
     (void)term;
-    variation->scene.atmosphere.mie = on;
+    variation->scene.values.atmosphere.mie = on;
 }
 
 static TermState ozone_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
-    return state_of(has_air(renderer), params->scene->atmosphere.ozone > 0);
+    return state_of(has_air(renderer), params->scene->values.atmosphere.ozone > 0);
 }
 
 static void ozone_turn(const Term *term, Variation *variation, bool on) {
     (void)term;
-    variation->scene.atmosphere.ozone = on;
+    variation->scene.values.atmosphere.ozone = on;
 }
 
 static TermState curvature_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
-    return state_of(has_air(renderer) && flat * params->scene->atmosphere.planet_radius_m < 1e9, true);
+    return state_of(has_air(renderer) && flat * params->scene->values.atmosphere.planet_radius_m < 1e9, true);
 }
 
 static bool asks_table(const Variation *variation) {
@@ -70,7 +70,7 @@ static bool asks_table(const Variation *variation) {
 static void curvature_turn(const Term *term, Variation *variation, bool on) {
     (void)term;
     (void)on;
-    Atmosphere *a = &variation->scene.atmosphere;
+    Atmosphere *a = &variation->scene.values.atmosphere;
     double thickness = a->top_radius_m - a->planet_radius_m;
     a->planet_radius_m *= flat;
     a->top_radius_m = a->planet_radius_m + thickness;
@@ -83,7 +83,8 @@ static bool has_disk(const Renderer *renderer) {
 
 static TermState disk_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
-    return state_of(params->scene->sun_elevation_deg > -params->scene->sun_radius_deg, has_disk(renderer));
+    return state_of(params->scene->values.sun.elevation_deg > -params->scene->values.sun.radius_deg,
+                    has_disk(renderer));
 }
 
 static void disk_turn(const Term *term, Variation *variation, bool on) {
@@ -94,24 +95,24 @@ static void disk_turn(const Term *term, Variation *variation, bool on) {
 /* Off, that light is left to chance, which finds next to none of it. */
 static TermState caustic_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
-    return state_of(has_disk(renderer) && params->scene->mirror_count, true);
+    return state_of(has_disk(renderer) && scene_hint_count(params->scene, HINT_MIRROR_SPHERE) > 0, true);
 }
 
 static void caustic_turn(const Term *term, Variation *variation, bool on) {
     (void)term;
     (void)on;
-    variation->scene.mirror_count = 0;
+    variation->scene.values.ignored_hints |= 1U << HINT_MIRROR_SPHERE;
 }
 
 static TermState planes_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
-    return state_of(has_disk(renderer) && params->scene->plane_count, true);
+    return state_of(has_disk(renderer) && scene_hint_count(params->scene, HINT_MIRROR_PLANE) > 0, true);
 }
 
 static void planes_turn(const Term *term, Variation *variation, bool on) {
     (void)term;
     (void)on;
-    variation->scene.plane_count = 0;
+    variation->scene.values.ignored_hints |= 1U << HINT_MIRROR_PLANE;
 }
 
 static TermState hits_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
@@ -149,7 +150,7 @@ static void direct_turn(const Term *term, Variation *variation, bool on) {
 
 static TermState control_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
-    return state_of(renderer->sky.choice.table && params->scene->bound_count,
+    return state_of(renderer->sky.choice.table && scene_hint_count(params->scene, HINT_BOUND) > 0,
                     renderer->light.method->needs_irradiance);
 }
 
@@ -183,23 +184,23 @@ static void sequence_turn(const Term *term, Variation *variation, bool on) {
 static TermState emitters_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
     (void)renderer;
-    return state_of(params->scene->emitter_count, true);
+    return state_of(scene_hint_count(params->scene, HINT_EMITTER_SPHERE) > 0, true);
 }
 
 static void emitters_turn(const Term *term, Variation *variation, bool on) {
     (void)term;
     (void)on;
-    variation->scene.emitter_count = 0;
+    variation->scene.values.ignored_hints |= 1U << HINT_EMITTER_SPHERE;
 }
 
 /* A checkbox of the scene's own. */
 static TermState checkbox_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)renderer;
-    return state_of(true, params->scene->parameters[term->number].value[0] > 0);
+    return state_of(true, params->scene->values.parameters[term->number][0] > 0);
 }
 
 static void checkbox_turn(const Term *term, Variation *variation, bool on) {
-    variation->scene.parameters[term->number].value[0] = on;
+    variation->scene.values.parameters[term->number][0] = on;
 }
 
 static const Term terms[] = {
@@ -227,11 +228,11 @@ enum { TERMS = sizeof terms / sizeof *terms };
 
 Term *term_list(const RenderParams *params, int *count) {
     const Scene *scene = params->scene;
-    Term *list = memory_get(TERMS + (size_t)scene->parameter_count, sizeof *list);
+    Term *list = memory_get(TERMS + (size_t)scene->file->parameter_count, sizeof *list);
     memcpy(list, terms, sizeof terms);
     *count = TERMS;
-    for (int i = 0; i < scene->parameter_count; i++) {
-        const Parameter *parameter = &scene->parameters[i];
+    for (int i = 0; i < scene->file->parameter_count; i++) {
+        const Parameter *parameter = &scene->file->parameters[i];
         if (parameter->type != PARAMETER_CHECKBOX) continue;
         Term *term = &list[(*count)++];
         *term = (Term){.state = checkbox_state, .turn = checkbox_turn, .number = i};

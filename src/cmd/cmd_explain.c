@@ -96,7 +96,7 @@ static bool explain(Job *job, Gauge *gauge, Error *error) {
 }
 
 static void print_compiled(Job *job) {
-    text_print(&job->table, "\ncompiled: %s, and of the library\n", job->scene.path);
+    text_print(&job->table, "\ncompiled: %s, and of the library\n", job->scene.file->path);
     library_files_print(job->library, text_string(&job->base.renderer.source_files), &job->table);
 }
 
@@ -104,9 +104,9 @@ static void print_results(const Job *job) {
     const Scene *scene = &job->scene;
     const Renderer *renderer = &job->base.renderer;
     printf("%s, %dx%d, sun at %g, at an error of %g %%: sky %s, sun's disk %s, light %s, sequence %s\n\n%s",
-           scene->title[0] ? scene->title : scene->path, renderer->film.width, renderer->film.height,
-           scene->sun_elevation_deg, job->percent, renderer->sky.choice.text, renderer->sun_disk.text,
-           renderer->light.text, renderer->sequence.text, text_string(&job->table));
+           scene->file->title[0] ? scene->file->title : scene->file->path, renderer->film.width,
+           renderer->film.height, scene->values.sun.elevation_deg, job->percent, renderer->sky.choice.text,
+           renderer->sun_disk.text, renderer->light.text, renderer->sequence.text, text_string(&job->table));
 }
 
 Status cmd_explain(const Options *options, Error *error) {

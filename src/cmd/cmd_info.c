@@ -46,27 +46,27 @@ static void print_atmosphere(const Atmosphere *atmosphere) {
 }
 
 static void print_scene(const Scene *scene) {
-    printf("%s: %s\n", scene->path, scene->title[0] ? scene->title : "untitled");
-    if (scene->look[0]) printf("  look for: %s\n", scene->look);
-    printf("  size %dx%d, sun elevation %g azimuth %g, exposure %g EV%s%s\n", scene->width, scene->height,
-           scene->sun_elevation_deg, scene->sun_azimuth_deg, scene->exposure_ev,
-           scene->sky[0] ? ", sky " : "", scene->sky);
-    for (int i = 0; i < scene->parameter_count; i++) {
-        const Parameter *p = &scene->parameters[i];
+    printf("%s: %s\n", scene->file->path, scene->file->title[0] ? scene->file->title : "untitled");
+    if (scene->file->look[0]) printf("  look for: %s\n", scene->file->look);
+    printf("  size %dx%d, sun elevation %g azimuth %g, exposure %g EV%s%s\n", scene->file->width,
+           scene->file->height, scene->values.sun.elevation_deg, scene->values.sun.azimuth_deg,
+           scene->values.exposure_ev, scene->file->sky[0] ? ", sky " : "", scene->file->sky);
+    for (int i = 0; i < scene->file->parameter_count; i++) {
+        const Parameter *p = &scene->file->parameters[i];
         printf("  --set %s=", p->name);
-        print_values(p->value, p->type == PARAMETER_COLOR ? 3 : 1);
+        print_values(scene->values.parameters[i], p->type == PARAMETER_COLOR ? 3 : 1);
         printf("  (%g to %g%s%s; %s)\n", p->min, p->max, p->unit[0] ? " " : "", p->unit,
                p->label[0] ? p->label : "no label");
     }
-    for (int i = 0; i < scene->preset_count; i++) {
-        const Preset *preset = &scene->presets[i];
+    for (int i = 0; i < scene->file->preset_count; i++) {
+        const Preset *preset = &scene->file->presets[i];
         printf("  --preset %s:", preset->name);
         for (int s = 0; s < preset->setting_count; s++) {
             printf(" %s=%s", preset->settings[s].name, preset->settings[s].value);
         }
         printf("\n");
     }
-    print_atmosphere(&scene->atmosphere);
+    print_atmosphere(&scene->values.atmosphere);
 }
 
 static bool print_backends(const Options *options, Error *error) {
@@ -101,7 +101,7 @@ Status cmd_info(const Options *options, Error *error) {
     }
     printf("settings of the atmosphere, values of %s\n",
            options->atmosphere ? options->atmosphere : atmosphere_preset(0)->name);
-    print_atmosphere(&scene.atmosphere);
+    print_atmosphere(&scene.values.atmosphere);
     scene_destroy(&scene);
     return STATUS_DONE;
 }

@@ -207,7 +207,7 @@ static bool write_outputs(const Job *job, int argc, char **argv, Error *error) {
     AttributeList attributes = {0};
     bool ok = true;
     describe(job, argc, argv, &attributes);
-    ImageWriteParams params = {.exposure_ev = job->scene.exposure_ev,
+    ImageWriteParams params = {.exposure_ev = job->scene.values.exposure_ev,
                                .tone = options->tone && strcmp(options->tone, "none") == 0 ? TONE_NONE
                                                                                            : TONE_AUTHOR,
                                .attributes = &attributes};
@@ -272,7 +272,7 @@ static void say_summary(const Job *job) {
 
 static void warn_search(const Job *job) {
     const FilmSearch *search = &job->search;
-    const char *path = job->scene.path;
+    const char *path = job->scene.file->path;
     if (job->options->verbose && search->rays > 0) {
         fprintf(stderr, "searches: %.4g rays, %.1f steps each, %.0f cut\n", search->rays,
                 search->steps / search->rays, search->cut);
@@ -311,7 +311,7 @@ static void warn(const Job *job) {
             "magichour: warning: %s: sunlight that glass throws, or mirrors that the scene does not name, "
             "is found by chance: "
             "the estimated error knows nothing of what no sample has met\n",
-            job->scene.path);
+            job->scene.file->path);
     }
     warn_search(job);
 }

@@ -32,7 +32,7 @@ typedef struct Job {
 } Job;
 
 static SkyState state_of(const Scene *scene) {
-    return (SkyState){scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg};
+    return (SkyState){scene->values.atmosphere, scene->values.sun};
 }
 
 static void unit_vector(double elevation_deg, double azimuth_deg, double out[3]) {
@@ -43,11 +43,11 @@ static void unit_vector(double elevation_deg, double azimuth_deg, double out[3])
 }
 
 static bool open_probe(Job *job, double directions, Error *error) {
-    const Atmosphere *a = &job->scene.atmosphere;
+    const Atmosphere *a = &job->scene.values.atmosphere;
     AutoWish wish = {.error_percent = map_error_percent,
                      .samples = 1,
                      .pixels = directions,
-                     .sun_elevation_deg = job->scene.sun_elevation_deg,
+                     .sun_elevation_deg = job->scene.values.sun.elevation_deg,
                      .atmosphere = a};
     MethodChoice choice;
     return setup_library(job->options, &job->library, error) &&
@@ -66,9 +66,8 @@ static void map_direction(double x, double y, int width, int height, double out[
 
 static void add_disk(const Job *job, Image *image) {
     const Scene *scene = &job->scene;
-    double radius = scene->sun_radius_deg + 180.0 / image->height + 360.0 / image->width;
-    SunDisk disk =
-        sun_disk(&scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg, scene->sun_radius_deg);
+    double radius = scene->values.sun.radius_deg + 180.0 / image->height + 360.0 / image->width;
+    SunDisk disk = sun_disk(&scene->values.atmosphere, &scene->values.sun);
     const double *sun = disk.middle;
     for (int i = 0; i < image->width * image->height; i++) {
         double middle[3];
@@ -80,7 +79,7 @@ static void add_disk(const Job *job, Image *image) {
             map_direction(i % image->width + (s % DISK_SAMPLES + 0.5) / DISK_SAMPLES,
                           i / image->width + (s / DISK_SAMPLES + 0.5) / DISK_SAMPLES, image->width,
                           image->height, direction);
-            sun_disk_radiance(&disk, &scene->atmosphere, direction, radiance);
+            sun_disk_radiance(&disk, &scene->values.atmosphere, direction, radiance);
             for (int c = 0; c < 3; c++)
                 image->rgba[4 * i + c] += (float)(radiance[c] / (DISK_SAMPLES * DISK_SAMPLES));
         }
@@ -98,10 +97,10 @@ static bool write_map(const Job *job, const Image *image, int argc, char **argv,
         "lat-long, y up: row 0 is +y, the centre column +z, a quarter from the left +x, the edges -z");
     attribute_add(&list, "magichour.sky", "%s", job->method);
     attribute_add(&list, "magichour.sun", "elevation %.9g azimuth %.9g (from +z toward +x)",
-                  job->scene.sun_elevation_deg, job->scene.sun_azimuth_deg);
-    describe_atmosphere(&job->scene.atmosphere, &list);
+                  job->scene.values.sun.elevation_deg, job->scene.values.sun.azimuth_deg);
+    describe_atmosphere(&job->scene.values.atmosphere, &list);
     bool none = job->options->tone && strcmp(job->options->tone, "none") == 0;
-    ImageWriteParams params = {.exposure_ev = job->scene.exposure_ev,
+    ImageWriteParams params = {.exposure_ev = job->scene.values.exposure_ev,
                                .tone = none ? TONE_NONE : TONE_AUTHOR,
                                .latlong = true,
                                .attributes = &list};
@@ -157,12 +156,13 @@ static void ask_reference(const Job *job, SkyRow *row) {
     double view[3], sun[3];
     unit_vector(row->view_el_deg, row->az_deg, view);
     unit_vector(row->sun_el_deg, 0, sun);
-    sky_reference(&job->scene.atmosphere, row->height_m, view, sun, row->radiance);
+    sky_reference(&job->scene.values.atmosphere, row->height_m, view, sun, row->radiance);
 }
 
 /* Rows that share an observer and a sun, asked together. */
 static bool ask_group(Job *job, SkyRow **rows, size_t count, Error *error) {
-    SkyState state = {job->scene.atmosphere, rows[0]->sun_el_deg, 0};
+    SkyState state = {job->scene.values.atmosphere,
+                      sun_at(rows[0]->sun_el_deg, 0, job->scene.values.sun.radius_deg)};
     float *values = memory_get(4 * count, sizeof *values);
     state.atmosphere.observer_height_m = rows[0]->height_m;
     for (size_t i = 0; i < count; i++) {
@@ -231,7 +231,7 @@ Status cmd_sky(const Options *options, int argc, char **argv, Error *error) {
          (options->at ? answer_rows(&job, error) : make_map(&job, argc, argv, error));
     if (ok && !options->at && !options->quiet) {
         printf("%s: the sky by %s, sun at %g\n", options->outputs[0], job.method,
-               job.scene.sun_elevation_deg);
+               job.scene.values.sun.elevation_deg);
     }
     sky_probe_destroy(&job.probe);
     context_close(&job.context);

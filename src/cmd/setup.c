@@ -60,10 +60,12 @@ bool setup_scene(const Options *options, Scene *scene, Error *error) {
     if (!options->input_count) *scene = scene_default("the sky");
     if (options->input_count && !scene_read(scene, options->inputs[0], error)) return false;
     if (options->preset && !scene_choose_preset(scene, options->preset, error)) goto fail;
-    if (options->atmosphere && !atmosphere_choose(&scene->atmosphere, options->atmosphere, error)) goto fail;
-    if (options->has_sun) scene->sun_elevation_deg = options->sun_elevation_deg;
-    if (options->has_azimuth) scene->sun_azimuth_deg = options->sun_azimuth_deg;
-    if (options->has_exposure) scene->exposure_ev = options->exposure_ev;
+    if (options->atmosphere && !atmosphere_choose(&scene->values.atmosphere, options->atmosphere, error))
+        goto fail;
+    const Sun *sun = &scene->values.sun;
+    if (options->has_sun) scene_set_sun(scene, options->sun_elevation_deg, sun->azimuth_deg);
+    if (options->has_azimuth) scene_set_sun(scene, sun->elevation_deg, options->sun_azimuth_deg);
+    if (options->has_exposure) scene->values.exposure_ev = options->exposure_ev;
     if (!apply_settings(options, scene, error) || !scene_check(scene, error)) goto fail;
     return true;
 fail:

@@ -12,9 +12,10 @@ static void scale_to(double v[3], double length) {
 Camera camera_of(const Scene *scene, int width, int height) {
     Camera camera = {.width = width, .height = height};
     double world_up[3] = {0, 1, 0};
-    double half_height = tan(scene->fov_deg * degree / 2);
-    memcpy(camera.eye, scene->eye, sizeof camera.eye);
-    vec3_subtract(scene->target, scene->eye, camera.forward);
+    const Viewpoint *from = &scene->values.camera;
+    double half_height = tan(from->fov_deg * degree / 2);
+    memcpy(camera.eye, from->eye, sizeof camera.eye);
+    vec3_subtract(from->target, from->eye, camera.forward);
     scale_to(camera.forward, 1);
     if (fabs(camera.forward[1]) > 1 - 1e-12) { /* straight up or down: the picture's top is +z */
         world_up[1] = 0;

@@ -57,7 +57,7 @@ static bool create_program(Program *program, const Context *context, const Rende
     inputs_declare(renderer->needs.inputs, &inputs);
     GlslSlot slots[] = {{"sequence", renderer->sequence.method->file, NULL},
                         {"inputs", NULL, text_string(&inputs)},
-                        {"scene", params->scene->path, NULL},
+                        {"scene", params->scene->file->path, NULL},
                         {"spheres", spheres_slot(params->scene), NULL},
                         {NULL, NULL, NULL}};
     GlslSource source;

@@ -23,11 +23,11 @@ void describe_atmosphere(const Atmosphere *atmosphere, AttributeList *list) {
 
 void describe_picture(AttributeList *list, const Scene *scene, const Renderer *renderer,
                       const Context *context) {
-    attribute_add(list, "magichour.scene", "%s", scene->path);
-    attribute_add(list, "magichour.sun", "elevation %.9g azimuth %.9g", scene->sun_elevation_deg,
-                  scene->sun_azimuth_deg);
+    attribute_add(list, "magichour.scene", "%s", scene->file->path);
+    attribute_add(list, "magichour.sun", "elevation %.9g azimuth %.9g", scene->values.sun.elevation_deg,
+                  scene->values.sun.azimuth_deg);
     attribute_add(list, "magichour.sun_disk", "%s, radius %.9g degrees", renderer->sun_disk.text,
-                  scene->sun_radius_deg);
+                  scene->values.sun.radius_deg);
     attribute_add(list, "magichour.sky", "%s", renderer->sky.choice.text);
     if (!isnan(renderer->sky_bias_percent))
         attribute_add(list, "magichour.sky_bias_percent", "%.3g", renderer->sky_bias_percent);
@@ -38,10 +38,10 @@ void describe_picture(AttributeList *list, const Scene *scene, const Renderer *r
                   context->backend ? ", " : "", context->detail);
     attribute_add(list, "magichour.gl_renderer", "%s", context->renderer);
     attribute_add(list, "magichour.gl_version", "%s", context->version);
-    for (int i = 0; i < scene->parameter_count; i++) {
-        const Parameter *parameter = &scene->parameters[i];
-        describe_value(list, "set", parameter->name, parameter->value,
+    for (int i = 0; i < scene->file->parameter_count; i++) {
+        const Parameter *parameter = &scene->file->parameters[i];
+        describe_value(list, "set", parameter->name, scene->values.parameters[i],
                        parameter->type == PARAMETER_COLOR ? 3 : 1);
     }
-    describe_atmosphere(&scene->atmosphere, list);
+    describe_atmosphere(&scene->values.atmosphere, list);
 }

@@ -23,6 +23,6 @@ void inputs_declare(unsigned wanted, Text *declarations) {
 void inputs_set(const Program *program, const Scene *scene, int width, int height) {
     double resolution[3] = {width, height, 1};
     program_set_vec3(program, "iResolution", resolution);
-    program_set_float(program, "iTime", scene->time_s);
-    program_set_vec4(program, "iMouse", scene->mouse);
+    program_set_float(program, "iTime", scene->values.time_s);
+    program_set_vec4(program, "iMouse", scene->values.mouse);
 }

@@ -37,13 +37,17 @@ bool plan_samples_sky(const Plan *plan) {
 /* Loop iterations at one hit, with those of its rays' searches, and the bounds, mirror spheres and emitters
  * that it looks for. */
 static long hit_iterations(const Plan *plan, const Scene *scene) {
+    long emitter_count = scene_hint_count(scene, HINT_EMITTER_SPHERE);
+    long mirror_count = scene_hint_count(scene, HINT_MIRROR_SPHERE);
+    long plane_count = scene_hint_count(scene, HINT_MIRROR_PLANE);
+    long bound_count = scene_hint_count(scene, HINT_BOUND);
     bool sun = plan->sun.method->samples_disk;
-    long emitters = plan->needs.emits ? scene->emitter_count : 0;
-    long rays = 1 + (sun ? 1 : 0) + (sun && scene->mirror_count ? 2 : 0) + (emitters ? 1 : 0);
-    long bounds = plan->light.method->loops_over_bounds ? (emitters ? 3L : 2L) * scene->bound_count : 0;
-    long mirrors = sun && scene->mirror_count ? 6 + 5L * scene->mirror_count : 0;
+    long emitters = plan->needs.emits ? emitter_count : 0;
+    long rays = 1 + (sun ? 1 : 0) + (sun && mirror_count ? 2 : 0) + (emitters ? 1 : 0);
+    long bounds = plan->light.method->loops_over_bounds ? (emitters ? 3L : 2L) * bound_count : 0;
+    long mirrors = sun && mirror_count ? 6 + 5 * mirror_count : 0;
     /* Each of a chain's rays asks which mirror it met, and which it should. */
-    long planes = sun && scene->plane_count ? PLANE_CHAIN * (3 + 2L * PLANE_CHAIN + scene->plane_count) : 0;
+    long planes = sun && plane_count ? PLANE_CHAIN * (3 + 2L * PLANE_CHAIN + plane_count) : 0;
     if (planes) rays += PLANE_CHAIN + 1;
     return 1 + rays * plan->needs.search_iterations + bounds + mirrors + planes + 3 * emitters;
 }
@@ -74,35 +78,40 @@ static bool choose_group(Plan *plan, const RenderParams *params, const Context *
     return true;
 }
 
+static bool same_hint(const Hint *a, const Hint *b) {
+    return memcmp(a->words, b->words, sizeof a->words) == 0;
+}
+
 /* Whether each of the scene's bounds is one of its mirror spheres too. */
 static bool mirrors_alone_block(const Scene *scene) {
+    int bounds = scene_hint_count(scene, HINT_BOUND), mirrors = scene_hint_count(scene, HINT_MIRROR_SPHERE);
+    const HintList *lists = scene->file->hints;
     int same = 0;
-    for (int i = 0; i < scene->bound_count; i++) {
-        for (int k = 0; k < scene->mirror_count; k++) {
-            if (memcmp(scene->bounds[i].words, scene->mirrors[k].words, sizeof scene->bounds[i].words))
-                continue;
+    for (int i = 0; i < bounds; i++) {
+        for (int k = 0; k < mirrors; k++) {
+            if (!same_hint(&lists[HINT_BOUND].list[i], &lists[HINT_MIRROR_SPHERE].list[k])) continue;
             same++;
             break;
         }
     }
-    return same == scene->bound_count;
+    return same == bounds;
 }
 
 bool plan_choose_methods(Plan *plan, const RenderParams *params, Error *error) {
     const Scene *scene = params->scene;
-    const char *sky = params->sky ? params->sky : scene->sky[0] ? scene->sky : NULL;
+    const char *sky = params->sky ? params->sky : scene->file->sky[0] ? scene->file->sky : NULL;
     AutoWish wish = {.error_percent = params->error_percent,
                      .samples = (double)params->samples,
                      .pixels = (double)plan_width(params) * plan_height(params),
-                     .sun_elevation_deg = scene->sun_elevation_deg,
-                     .atmosphere = &scene->atmosphere,
-                     .bounds = scene->bound_count > 0,
+                     .sun_elevation_deg = scene->values.sun.elevation_deg,
+                     .atmosphere = &scene->values.atmosphere,
+                     .bounds = scene_hint_count(scene, HINT_BOUND) > 0,
                      .mirrors = mirrors_alone_block(scene),
                      .shiny = plan->needs.shiny};
     if (!auto_sky(&plan->sky, sky, &wish, error)) {
         if (params->sky) return false;
         error->status = STATUS_SCENE;
-        return error_prefix(error, "%s:%d: ", scene->path, scene->sky_line);
+        return error_prefix(error, "%s:%d: ", scene->file->path, scene->file->sky_line);
     }
     return auto_light(&plan->light, params->light, &plan->sky, &wish, error) &&
            method_choose(&plan->sequence, METHOD_SEQUENCE, params->sequence, error) &&
@@ -110,23 +119,24 @@ bool plan_choose_methods(Plan *plan, const RenderParams *params, Error *error) {
 }
 
 int plan_width(const RenderParams *params) {
-    return params->width ? params->width : params->scene->width;
+    return params->width ? params->width : params->scene->file->width;
 }
 
 int plan_height(const RenderParams *params) {
-    return params->height ? params->height : params->scene->height;
+    return params->height ? params->height : params->scene->file->height;
 }
 
 /* `calls` of hit_spheres(). */
 static bool check_spheres(const Scene *scene, const GlslSource *source, int calls, Error *error) {
-    if (calls && !scene->spheres[0]) {
+    if (calls && !scene->file->spheres[0]) {
         return error_set(error, STATUS_SCENE,
                          "%s:1: hit_spheres() needs `//@ spheres COUNT` or `//@ spheres FILE.csv`",
-                         scene->path);
+                         scene->file->path);
     }
-    if (scene->spheres[0] && scene_sphere_count(scene) >= 0 && !glsl_source_defines(source, "scene_sphere")) {
+    if (scene->file->spheres[0] && scene_sphere_count(scene) >= 0 &&
+        !glsl_source_defines(source, "scene_sphere")) {
         return error_set(error, STATUS_SCENE, "%s:%d: missing function: vec4 scene_sphere(int i)",
-                         scene->path, scene->spheres_line);
+                         scene->file->path, scene->file->spheres_line);
     }
     return true;
 }
@@ -144,7 +154,7 @@ static bool check_functions(const Scene *scene, const GlslSource *source, Error 
         const char *file = functions[i].file;
         if (glsl_source_defines(source, functions[i].name)) continue;
         if (file && !glsl_source_includes(source, file)) continue;
-        return error_set(error, STATUS_SCENE, "%s:1: missing function: %s", scene->path,
+        return error_set(error, STATUS_SCENE, "%s:1: missing function: %s", scene->file->path,
                          functions[i].signature);
     }
     return true;
@@ -152,7 +162,7 @@ static bool check_functions(const Scene *scene, const GlslSource *source, Error 
 
 static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *error) {
     GlslSource source;
-    if (!glsl_source_create(&source, params->library, params->scene->path, NULL, error)) return false;
+    if (!glsl_source_create(&source, params->library, params->scene->file->path, NULL, error)) return false;
     bool ok = check_functions(params->scene, &source, error);
     int marches = glsl_source_calls(&source, "march"), spheres = glsl_source_calls(&source, "hit_spheres");
     if (ok) ok = check_spheres(params->scene, &source, spheres, error);
@@ -165,32 +175,26 @@ static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *err
                                    glsl_source_includes(&source, "material/author.glsl"),
                           .throws_light = glsl_source_includes(&source, "material/glass.glsl") ||
                                           (glsl_source_includes(&source, "material/mirror.glsl") &&
-                                           !params->scene->mirror_count && !params->scene->plane_count),
+                                           !scene_hint_count(params->scene, HINT_MIRROR_SPHERE) &&
+                                           !scene_hint_count(params->scene, HINT_MIRROR_PLANE)),
                           .inputs = inputs_wanted(&source)};
     glsl_source_destroy(&source);
     return ok;
 }
 
-/* The spheres that a scene names as GLSL, their words as they are: numbers, or the uniforms of sliders. */
-static void write_spheres(Text *text, const char *count_name, const char *function,
-                          const NamedSphere *spheres, int count) {
-    text_print(text, "const int %s = %d;\nvec4 %s(int i) {\n", count_name, count, function);
+/* The hints of a kind as GLSL, their words as they are: numbers, or the uniforms of sliders. */
+static void write_hints(Text *text, const Scene *scene, HintKind kind) {
+    const HintInfo *info = hint_info(kind);
+    int count = scene_hint_count(scene, kind);
+    text_print(text, "const int %s = %d;\nvec%d %s(int i) {\n", info->constant, count, info->components,
+               info->function);
     for (int i = 0; i < count; i++) {
-        text_print(text, "    if (i == %d) return vec4(", i);
-        for (int k = 0; k < 4; k++) text_print(text, "%sfloat(%s)", k ? ", " : "", spheres[i].words[k]);
+        text_print(text, "    if (i == %d) return vec%d(", i, info->components);
+        for (int k = 0; k < info->components; k++)
+            text_print(text, "%sfloat(%s)", k ? ", " : "", scene->file->hints[kind].list[i].words[k]);
         text_print(text, ");\n");
     }
-    text_print(text, "    return vec4(0.0);\n}");
-}
-
-/* The flat mirrors alike. */
-static void write_planes(Text *text, const NamedPlane *planes, int count) {
-    text_print(text, "const int MIRROR_PLANES = %d;\nvec2 mirror_plane(int i) {\n", count);
-    for (int i = 0; i < count; i++) {
-        text_print(text, "    if (i == %d) return vec2(float(%s), float(%s));\n", i, planes[i].words[0],
-                   planes[i].words[1]);
-    }
-    text_print(text, "    return vec2(0.0);\n}");
+    text_print(text, "    return vec%d(0.0);\n}", info->components);
 }
 
 bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, GlslSource *source,
@@ -199,18 +203,18 @@ bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, Glsl
     GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 11] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
     SkySlotText text;
     Text bounds = {0}, mirrors = {0}, planes = {0}, emitters = {0}, inputs = {0};
-    const char *emission = !plan->needs.emits     ? "emission/none.glsl"
-                           : scene->emitter_count ? "emission/sampled.glsl"
-                                                  : "emission/chance.glsl";
-    write_spheres(&bounds, "SCENE_BOUNDS", "scene_bound", scene->bounds, scene->bound_count);
-    write_spheres(&mirrors, "MIRROR_SPHERES", "mirror_sphere", scene->mirrors, scene->mirror_count);
-    write_planes(&planes, scene->planes, scene->plane_count);
-    write_spheres(&emitters, "EMITTER_SPHERES", "emitter_sphere", scene->emitters, scene->emitter_count);
-    sky_slots(&plan->sky, &scene->atmosphere, slots, &text);
+    const char *emission = !plan->needs.emits                             ? "emission/none.glsl"
+                           : scene_hint_count(scene, HINT_EMITTER_SPHERE) ? "emission/sampled.glsl"
+                                                                          : "emission/chance.glsl";
+    write_hints(&bounds, scene, HINT_BOUND);
+    write_hints(&mirrors, scene, HINT_MIRROR_SPHERE);
+    write_hints(&planes, scene, HINT_MIRROR_PLANE);
+    write_hints(&emitters, scene, HINT_EMITTER_SPHERE);
+    sky_slots(&plan->sky, &scene->values.atmosphere, slots, &text);
     sun_slots(&plan->sun, scene, image, text_string(&mirrors), text_string(&planes), slots + SKY_SLOTS);
     slot[0] = (GlslSlot){"sequence", plan->sequence.method->file, NULL};
     slot[1] = (GlslSlot){"light", plan->light.method->file, NULL};
-    slot[2] = (GlslSlot){"scene", scene->path, NULL};
+    slot[2] = (GlslSlot){"scene", scene->file->path, NULL};
     slot[3] = (GlslSlot){"bounds", NULL, text_string(&bounds)};
     slot[4] = (GlslSlot){"scatter", params->variance ? "pass/scatter.glsl" : "pass/scatter_none.glsl", NULL};
     slot[5] = (GlslSlot){"search", plan->needs.search ? "pass/search.glsl" : "pass/search_none.glsl", NULL};

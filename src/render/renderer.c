@@ -20,7 +20,7 @@ static bool compile(Program *program, const Context *context, const GlslSource *
     if (program_create(program, &context->gl, source, error)) return true;
     /* A scene that breaks off shows its fault only in the text behind it. */
     if (strncmp(error->text, params->library, strlen(params->library)) == 0)
-        error_prefix(error, "%s: ", params->scene->path);
+        error_prefix(error, "%s: ", params->scene->file->path);
     return false;
 }
 
@@ -36,24 +36,25 @@ static bool create_program(Renderer *renderer, const Context *context, const Pla
 }
 
 /* The program for the image of this sun, if it has one in the picture and is the first that has. */
-static bool serve_image(Renderer *renderer, const Context *context, const Sun *sun,
+static bool serve_image(Renderer *renderer, const Context *context, const SunTables *sun,
                         const RenderParams *params, Error *error) {
     return !sun->rectangle_count || renderer->image_program.id ||
            compile(&renderer->image_program, context, &renderer->image_source, params, error);
 }
 
 void renderer_set_parameters(const Program *program, const Scene *scene) {
-    for (int i = 0; i < scene->parameter_count; i++) {
-        const Parameter *parameter = &scene->parameters[i];
+    for (int i = 0; i < scene->file->parameter_count; i++) {
+        const Parameter *parameter = &scene->file->parameters[i];
+        const double *value = scene->values.parameters[i];
         switch (parameter->type) {
         case PARAMETER_SLIDER:
-            program_set_float(program, parameter->name, parameter->value[0]);
+            program_set_float(program, parameter->name, value[0]);
             break;
         case PARAMETER_CHECKBOX:
-            program_set_int(program, parameter->name, parameter->value[0] > 0);
+            program_set_int(program, parameter->name, value[0] > 0);
             break;
         case PARAMETER_COLOR:
-            program_set_vec3(program, parameter->name, parameter->value);
+            program_set_vec3(program, parameter->name, value);
             break;
         }
     }
@@ -86,7 +87,7 @@ static bool create_light(Renderer *renderer, const Context *context, const Rende
     bool irradiance = plan_controls(plan), sampler = plan_samples_sky(plan);
     if (!irradiance && !sampler) return true;
     return sky_patches_create(&renderer->patches, context, params->library, &plan->sky,
-                              &params->scene->atmosphere, error) &&
+                              &params->scene->values.atmosphere, error) &&
            (!irradiance || irradiance_create(&renderer->irradiance, context, params->library, error)) &&
            (!sampler || sky_sampler_create(&renderer->sampler, context, error));
 }
@@ -100,7 +101,7 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
     if (!create_program(renderer, context, plan, params, error) ||
         (image && !plan_flatten(plan, params, true, &renderer->image_source, error)) ||
         !film_create(&renderer->film, context, camera->width, camera->height, renderer->parts, error) ||
-        !sky_create(&renderer->sky, context, params->library, &plan->sky, &scene->atmosphere, error) ||
+        !sky_create(&renderer->sky, context, params->library, &plan->sky, &scene->values.atmosphere, error) ||
         !sun_create(&renderer->sun, context, &plan->sun, scene, camera, error) ||
         !spheres_create(&renderer->spheres, context, params->library, scene, error) ||
         !serve_image(renderer, context, &renderer->sun, params, error)) {
@@ -110,12 +111,12 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
 }
 
 static void remember_spheres(Renderer *renderer, const Scene *scene) {
-    memcpy(renderer->spheres_made_for, scene->parameters, sizeof scene->parameters);
-    renderer->spheres_time_s = scene->time_s;
+    memcpy(renderer->spheres_made_for, scene->values.parameters, sizeof scene->values.parameters);
+    renderer->spheres_time_s = scene->values.time_s;
 }
 
 bool renderer_use(Renderer *renderer, const Scene *scene, Error *error) {
-    SkyState state = {scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg};
+    SkyState state = {scene->values.atmosphere, scene->values.sun};
     return set_up(renderer, &renderer->program, scene, &state, error) &&
            (!renderer->image_program.id || set_up(renderer, &renderer->image_program, scene, &state, error));
 }
@@ -158,12 +159,14 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
     const Scene *scene = params->scene;
     int width = plan_width(params), height = plan_height(params);
     Plan plan;
-    *renderer = (Renderer){.gl = &context->gl, .seed = params->seed, .ozone = scene->atmosphere.ozone > 0};
+    *renderer =
+        (Renderer){.gl = &context->gl, .seed = params->seed, .ozone = scene->values.atmosphere.ozone > 0};
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
         !plan_make(&plan, params, context, error))
         goto fail;
     follow_plan(renderer, &plan);
-    renderer->sky_bias_percent = bias_sky_percent(&plan.sky, scene->sun_elevation_deg, &scene->atmosphere);
+    renderer->sky_bias_percent =
+        bias_sky_percent(&plan.sky, scene->values.sun.elevation_deg, &scene->values.atmosphere);
     remember_spheres(renderer, scene);
     renderer->camera = camera_of(scene, width, height);
     if (create_parts(renderer, context, params, &plan, error) && renderer_use(renderer, scene, error) &&
@@ -179,7 +182,7 @@ static bool compiled_for(const Renderer *renderer, const Plan *plan, const Rende
            strcmp(renderer->light.text, plan->light.text) == 0 &&
            strcmp(renderer->sequence.text, plan->sequence.text) == 0 &&
            strcmp(renderer->sun_disk.text, plan->sun.text) == 0 &&
-           renderer->ozone == (params->scene->atmosphere.ozone > 0);
+           renderer->ozone == (params->scene->values.atmosphere.ozone > 0);
 }
 
 static bool recreate(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
@@ -207,8 +210,9 @@ static bool clear_film(Renderer *renderer, const Context *context, const Camera 
 
 /* Spheres that the scene makes itself follow its parameters, and its time. */
 static bool refill_spheres(Renderer *renderer, const Scene *scene, Error *error) {
-    bool same = memcmp(renderer->spheres_made_for, scene->parameters, sizeof scene->parameters) == 0 &&
-                memcmp(&renderer->spheres_time_s, &scene->time_s, sizeof scene->time_s) == 0;
+    bool same =
+        memcmp(renderer->spheres_made_for, scene->values.parameters, sizeof scene->values.parameters) == 0 &&
+        memcmp(&renderer->spheres_time_s, &scene->values.time_s, sizeof scene->values.time_s) == 0;
     if (!renderer->spheres.gl || same) return true;
     if (!spheres_fill(&renderer->spheres, scene, error)) return false;
     remember_spheres(renderer, scene);
@@ -225,7 +229,7 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
     }
     if (!compiled_for(renderer, &plan, params)) return recreate(renderer, context, params, error);
     Camera camera = camera_of(scene, width, height);
-    Sun sun;
+    SunTables sun;
     if (!sun_create(&sun, context, &plan.sun, scene, &camera, error)) return false;
     if (!serve_image(renderer, context, &sun, params, error) || !refill_spheres(renderer, scene, error) ||
         !clear_film(renderer, context, &camera, error)) {
@@ -235,7 +239,8 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
     sun_destroy(&renderer->sun);
     renderer->sun = sun;
     renderer->camera = camera;
-    renderer->sky_bias_percent = bias_sky_percent(&plan.sky, scene->sun_elevation_deg, &scene->atmosphere);
+    renderer->sky_bias_percent =
+        bias_sky_percent(&plan.sky, scene->values.sun.elevation_deg, &scene->values.atmosphere);
     renderer->seed = params->seed;
     renderer->row = 0;
     return renderer_use(renderer, scene, error);

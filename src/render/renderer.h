@@ -23,7 +23,7 @@ typedef struct Renderer {
     Film film;
     Camera camera;
     Sky sky;
-    Sun sun;
+    SunTables sun;
     SkyPatches patches; /* these are empty unless the light method asks for them */
     Irradiance irradiance;
     SkySampler sampler;
@@ -39,8 +39,8 @@ typedef struct Renderer {
     int row;                  /* ... whose rows before this one stand in the back of the film's target */
     unsigned parts;           /* of its films */
     SceneNeeds needs;
-    bool ozone;                     /* whether it was compiled in */
-    Parameter spheres_made_for[32]; /* the scene's, and its time */
+    bool ozone;                                  /* whether it was compiled in */
+    double spheres_made_for[MOST_PARAMETERS][3]; /* the scene's, and its time */
     double spheres_time_s;
     Text source_files; /* what was compiled, for -v */
 } Renderer;

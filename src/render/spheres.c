@@ -18,11 +18,11 @@ static const double farthest_m = 1e7;
 static bool create_fill(Spheres *spheres, const char *library, const Scene *scene, Error *error) {
     Text inputs = {0};
     GlslSource source;
-    if (!glsl_source_create(&source, library, scene->path, NULL, error)) return false;
+    if (!glsl_source_create(&source, library, scene->file->path, NULL, error)) return false;
     inputs_declare(inputs_wanted(&source), &inputs);
     glsl_source_destroy(&source);
     const GlslSlot slots[] = {
-        {"inputs", NULL, text_string(&inputs)}, {"scene", scene->path, NULL}, {NULL, NULL, NULL}};
+        {"inputs", NULL, text_string(&inputs)}, {"scene", scene->file->path, NULL}, {NULL, NULL, NULL}};
     bool ok = glsl_source_create(&source, library, "pass/fill_spheres.glsl", slots, error);
     if (ok) ok = program_create(&spheres->fill, spheres->gl, &source, error);
     glsl_source_destroy(&source);
@@ -56,7 +56,7 @@ static bool check(const Scene *scene, const float *numbers, int count, Error *er
     for (int i = 0; i < 4 * count; i++) {
         if (fabs((double)numbers[i]) <= farthest_m) continue;
         return error_set(error, STATUS_SCENE, "%s:%d: scene_sphere(%d) is not finite or past %g m",
-                         scene->path, scene->spheres_line, i / 4, farthest_m);
+                         scene->file->path, scene->file->spheres_line, i / 4, farthest_m);
     }
     return true;
 }
@@ -81,7 +81,8 @@ static bool upload(Spheres *spheres, const Scene *scene, const SphereTree *tree,
         return error_set(error, STATUS_SCENE,
                          "%s:%d: too many spheres: they need a texture of %dx%d, this OpenGL's "
                          "limit is %d",
-                         scene->path, scene->spheres_line, columns, rows, spheres->max_texture_size);
+                         scene->file->path, scene->file->spheres_line, columns, rows,
+                         spheres->max_texture_size);
     }
     texture_resize(spheres->gl, spheres->table, columns, rows, tree->rows ? tree->texels : NULL);
     spheres->entries = tree->entries;
@@ -104,7 +105,7 @@ bool spheres_fill(Spheres *spheres, const Scene *scene, Error *error) {
 bool spheres_create(Spheres *spheres, const Context *context, const char *library, const Scene *scene,
                     Error *error) {
     *spheres = (Spheres){0};
-    if (!scene->spheres[0]) return true;
+    if (!scene->file->spheres[0]) return true;
     *spheres = (Spheres){.gl = &context->gl, .max_texture_size = context->max_texture_size};
     spheres->table = texture_create(spheres->gl, 1, 1, GL_NEAREST, NULL);
     if ((scene_sphere_count(scene) < 0 || create_fill(spheres, library, scene, error)) &&
@@ -122,7 +123,7 @@ void spheres_destroy(Spheres *spheres) {
 }
 
 const char *spheres_slot(const Scene *scene) {
-    return scene->spheres[0] ? "pass/spheres.glsl" : "pass/spheres_none.glsl";
+    return scene->file->spheres[0] ? "pass/spheres.glsl" : "pass/spheres_none.glsl";
 }
 
 void spheres_bind(const Spheres *spheres) {

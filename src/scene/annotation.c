@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "scene/glsl_source.h"
+#include "scene/scene.h"
 #include "scene/value.h"
 
 #include <ctype.h>
@@ -12,7 +13,7 @@ enum { MOST_WORDS = 40 };
 
 /* One annotation, cut into words; words[0] is its key. */
 typedef struct Line {
-    Scene *scene;
+    SceneFile *file;
     char *words[MOST_WORDS];
     int count;
     char *declaration; /* the GLSL before the annotation on the same line */
@@ -92,41 +93,44 @@ static bool keys(const Line *line, int at, const Key *table, int entries, Error 
 
 static bool read_title(Line *line, Error *error) {
     (void)error;
-    join_words(line, 1, line->scene->title, sizeof line->scene->title);
+    join_words(line, 1, line->file->title, sizeof line->file->title);
     return true;
 }
 
 static bool read_look(Line *line, Error *error) {
     (void)error;
-    join_words(line, 1, line->scene->look, sizeof line->scene->look);
+    join_words(line, 1, line->file->look, sizeof line->file->look);
     return true;
 }
 
 static bool read_camera(Line *line, Error *error) {
-    Scene *scene = line->scene;
-    const Key table[] = {{"eye", 3, -1e6, 1e6, scene->eye},
-                         {"target", 3, -1e6, 1e6, scene->target},
-                         {"fov", 1, 0.01, 179, &scene->fov_deg}};
+    SceneFile *file = line->file;
+    const Key table[] = {{"eye", 3, -1e6, 1e6, file->values.camera.eye},
+                         {"target", 3, -1e6, 1e6, file->values.camera.target},
+                         {"fov", 1, 0.01, 179, &file->values.camera.fov_deg}};
     return keys(line, 1, table, 3, error);
 }
 
 static bool read_sun(Line *line, Error *error) {
-    const Key table[] = {{"elevation", 1, -90, 90, &line->scene->sun_elevation_deg},
-                         {"azimuth", 1, -360, 360, &line->scene->sun_azimuth_deg},
-                         {"radius", 1, 0.01, 30, &line->scene->sun_radius_deg}};
-    return keys(line, 1, table, 3, error);
+    const Key table[] = {{"elevation", 1, -90, 90, &line->file->values.sun.elevation_deg},
+                         {"azimuth", 1, -360, 360, &line->file->values.sun.azimuth_deg},
+                         {"radius", 1, 0.01, 30, &line->file->values.sun.radius_deg}};
+    if (!keys(line, 1, table, 3, error)) return false;
+    Sun *sun = &line->file->values.sun;
+    *sun = sun_at(sun->elevation_deg, sun->azimuth_deg, sun->radius_deg);
+    return true;
 }
 
 static bool read_sun_disk(Line *line, Error *error) {
     bool on = line->count == 2 && strcmp(line->words[1], "on") == 0;
     if (!on && (line->count != 2 || strcmp(line->words[1], "off") != 0))
         return error_set(error, STATUS_SCENE, "sun-disk needs on or off");
-    line->scene->sun_disk = on;
+    line->file->values.sun_disk = on;
     return true;
 }
 
 static bool read_exposure(Line *line, Error *error) {
-    return numbers(line, 1, 1, -64, 64, &line->scene->exposure_ev, error);
+    return numbers(line, 1, 1, -64, 64, &line->file->values.exposure_ev, error);
 }
 
 static bool read_size(Line *line, Error *error) {
@@ -135,34 +139,34 @@ static bool read_size(Line *line, Error *error) {
     if (size[0] != (int)size[0] || size[1] != (int)size[1]) {
         return error_set(error, STATUS_SCENE, "size needs two whole numbers");
     }
-    line->scene->width = (int)size[0];
-    line->scene->height = (int)size[1];
+    line->file->width = (int)size[0];
+    line->file->height = (int)size[1];
     return true;
 }
 
 static bool read_sky(Line *line, Error *error) {
     if (line->count != 2) return error_set(error, STATUS_SCENE, "sky needs a method, such as uniform:1");
-    line->scene->sky_line = line->number;
-    return copy_word(line->scene->sky, sizeof line->scene->sky, line->words[1], error);
+    line->file->sky_line = line->number;
+    return copy_word(line->file->sky, sizeof line->file->sky, line->words[1], error);
 }
 
 static bool read_atmosphere(Line *line, Error *error) {
     if (line->count != 2) return error_set(error, STATUS_SCENE, "atmosphere needs a preset's name");
-    return atmosphere_choose(&line->scene->atmosphere, line->words[1], error);
+    return atmosphere_choose(&line->file->values.atmosphere, line->words[1], error);
 }
 
 static bool read_preset(Line *line, Error *error) {
-    Scene *scene = line->scene;
-    enum { MOST = sizeof scene->presets / sizeof *scene->presets };
+    SceneFile *file = line->file;
+    enum { MOST = sizeof file->presets / sizeof *file->presets };
     if (line->count < 2 || line->count % 2) {
         return error_set(error, STATUS_SCENE, "preset needs a name and pairs of setting and value");
     }
-    if (scene->preset_count == MOST) return error_set(error, STATUS_SCENE, "more than %d presets", MOST);
-    Preset *preset = &scene->presets[scene->preset_count++];
+    if (file->preset_count == MOST) return error_set(error, STATUS_SCENE, "more than %d presets", MOST);
+    Preset *preset = &file->presets[file->preset_count++];
     *preset = (Preset){.line = line->number};
     if (!copy_word(preset->name, sizeof preset->name, line->words[1], error)) return false;
-    for (int i = 0; i + 1 < scene->preset_count; i++) {
-        if (strcmp(scene->presets[i].name, preset->name) == 0) {
+    for (int i = 0; i + 1 < file->preset_count; i++) {
+        if (strcmp(file->presets[i].name, preset->name) == 0) {
             return error_set(error, STATUS_SCENE, "preset '%s' is there already", preset->name);
         }
     }
@@ -179,45 +183,35 @@ static bool read_preset(Line *line, Error *error) {
     return true;
 }
 
-static bool read_sphere(Line *line, NamedSphere *spheres, int *count, Error *error) {
-    const char *key = line->words[0];
-    if (line->count != 5)
-        return error_set(error, STATUS_SCENE, "%s needs x y z radius, numbers or sliders", key);
-    if (*count == MOST_NAMED_SPHERES)
-        return error_set(error, STATUS_SCENE, "%s more than %d times", key, MOST_NAMED_SPHERES);
-    NamedSphere *sphere = &spheres[(*count)++];
-    sphere->line = line->number;
-    for (int i = 0; i < 4; i++) {
-        if (!copy_word(sphere->words[i], sizeof sphere->words[i], line->words[1 + i], error)) return false;
+static bool read_hint(Line *line, HintKind kind, Error *error) {
+    const HintInfo *info = hint_info(kind);
+    HintList *hints = &line->file->hints[kind];
+    if (line->count != 1 + info->components)
+        return error_set(error, STATUS_SCENE, "%s needs %s", info->key, info->needs);
+    if (hints->count == MOST_HINTS)
+        return error_set(error, STATUS_SCENE, "%s more than %d times", info->key, MOST_HINTS);
+    Hint *hint = &hints->list[hints->count++];
+    hint->line = line->number;
+    for (int i = 0; i < info->components; i++) {
+        if (!copy_word(hint->words[i], sizeof hint->words[i], line->words[1 + i], error)) return false;
     }
     return true;
 }
 
 static bool read_bound(Line *line, Error *error) {
-    return read_sphere(line, line->scene->bounds, &line->scene->bound_count, error);
+    return read_hint(line, HINT_BOUND, error);
 }
 
 static bool read_mirror_sphere(Line *line, Error *error) {
-    return read_sphere(line, line->scene->mirrors, &line->scene->mirror_count, error);
+    return read_hint(line, HINT_MIRROR_SPHERE, error);
 }
 
 static bool read_mirror_plane(Line *line, Error *error) {
-    Scene *scene = line->scene;
-    if (line->count != 3) {
-        return error_set(
-            error, STATUS_SCENE,
-            "mirror-plane needs the azimuth and the elevation that it faces, numbers or sliders");
-    }
-    if (scene->plane_count == MOST_NAMED_SPHERES)
-        return error_set(error, STATUS_SCENE, "mirror-plane more than %d times", MOST_NAMED_SPHERES);
-    NamedPlane *plane = &scene->planes[scene->plane_count++];
-    plane->line = line->number;
-    return copy_word(plane->words[0], sizeof plane->words[0], line->words[1], error) &&
-           copy_word(plane->words[1], sizeof plane->words[1], line->words[2], error);
+    return read_hint(line, HINT_MIRROR_PLANE, error);
 }
 
 static bool read_emitter_sphere(Line *line, Error *error) {
-    return read_sphere(line, line->scene->emitters, &line->scene->emitter_count, error);
+    return read_hint(line, HINT_EMITTER_SPHERE, error);
 }
 
 static bool is_file(const char *word) {
@@ -226,24 +220,24 @@ static bool is_file(const char *word) {
 }
 
 static bool read_many_spheres(Line *line, Error *error) {
-    Scene *scene = line->scene;
+    SceneFile *file = line->file;
     double number;
     if (line->count != 2)
         return error_set(error, STATUS_SCENE, "spheres needs a number, a slider's name or a .csv file");
     const char *word = line->words[1];
-    if (scene->spheres[0]) return error_set(error, STATUS_SCENE, "spheres is there already");
+    if (file->spheres[0]) return error_set(error, STATUS_SCENE, "spheres is there already");
     if (number_parse(word, &number) &&
         (number < 0 || number > SCENE_MOST_SPHERES || number != (double)(int)number)) {
         return error_set(error, STATUS_SCENE, "spheres: '%s' is not a whole number from 0 to %d", word,
                          SCENE_MOST_SPHERES);
     }
-    scene->spheres_line = line->number;
-    return copy_word(scene->spheres, sizeof scene->spheres, word, error);
+    file->spheres_line = line->number;
+    return copy_word(file->spheres, sizeof file->spheres, word, error);
 }
 
 /* The parameter declared on the annotation's own line as `uniform TYPE NAME;`. */
 static Parameter *declared(Line *line, const char *type, Error *error) {
-    Scene *scene = line->scene;
+    SceneFile *file = line->file;
     char found[64], name[64];
     int used = 0;
     if (sscanf(line->declaration, " uniform %63[a-z0-9A-Z] %63[A-Za-z0-9_] ; %n", found, name, &used) != 2 ||
@@ -257,20 +251,24 @@ static Parameter *declared(Line *line, const char *type, Error *error) {
                   name, found);
         return NULL;
     }
-    for (int i = 0; i < scene->parameter_count; i++) {
-        if (strcmp(scene->parameters[i].name, name) == 0) {
+    for (int i = 0; i < file->parameter_count; i++) {
+        if (strcmp(file->parameters[i].name, name) == 0) {
             error_set(error, STATUS_SCENE, "uniform '%s' is declared twice", name);
             return NULL;
         }
     }
-    if (scene->parameter_count == (int)(sizeof scene->parameters / sizeof *scene->parameters)) {
-        error_set(error, STATUS_SCENE, "more than %d parameters", scene->parameter_count);
+    if (file->parameter_count == (int)(sizeof file->parameters / sizeof *file->parameters)) {
+        error_set(error, STATUS_SCENE, "more than %d parameters", file->parameter_count);
         return NULL;
     }
-    Parameter *parameter = &scene->parameters[scene->parameter_count++];
+    Parameter *parameter = &file->parameters[file->parameter_count++];
     *parameter = (Parameter){.max = 1};
     snprintf(parameter->name, sizeof parameter->name, "%s", name);
     return parameter;
+}
+
+static double *value_of(const Line *line, const Parameter *parameter) {
+    return line->file->values.parameters[parameter - line->file->parameters];
 }
 
 /* The trailing `unit m label "height of the ball"`. */
@@ -289,7 +287,7 @@ static bool read_words(const Line *line, int at, Parameter *parameter, Error *er
 
 static bool read_slider(Line *line, Error *error) {
     Parameter *parameter = declared(line, "float", error);
-    if (!parameter || !numbers(line, 1, 1, -1e30, 1e30, parameter->value, error)) return false;
+    if (!parameter || !numbers(line, 1, 1, -1e30, 1e30, value_of(line, parameter), error)) return false;
     parameter->type = PARAMETER_SLIDER;
     int at = 2;
     for (; at < line->count; at += 2) {
@@ -299,8 +297,8 @@ static bool read_slider(Line *line, Error *error) {
             return false;
     }
     if (!read_words(line, at, parameter, error)) return false;
-    if (parameter->value[0] < parameter->min || parameter->value[0] > parameter->max) {
-        return error_set(error, STATUS_SCENE, "slider: %g is not from %g to %g", parameter->value[0],
+    if (value_of(line, parameter)[0] < parameter->min || value_of(line, parameter)[0] > parameter->max) {
+        return error_set(error, STATUS_SCENE, "slider: %g is not from %g to %g", value_of(line, parameter)[0],
                          parameter->min, parameter->max);
     }
     return true;
@@ -314,13 +312,13 @@ static bool read_checkbox(Line *line, Error *error) {
     if (!on && (line->count < 2 || strcmp(line->words[1], "off") != 0)) {
         return error_set(error, STATUS_SCENE, "checkbox needs on or off");
     }
-    parameter->value[0] = on;
+    value_of(line, parameter)[0] = on;
     return read_words(line, 2, parameter, error);
 }
 
 static bool read_color(Line *line, Error *error) {
     Parameter *parameter = declared(line, "vec3", error);
-    if (!parameter || !numbers(line, 1, 3, 0, 1, parameter->value, error)) return false;
+    if (!parameter || !numbers(line, 1, 3, 0, 1, value_of(line, parameter), error)) return false;
     parameter->type = PARAMETER_COLOR;
     return read_words(line, 4, parameter, error);
 }
@@ -363,102 +361,91 @@ static bool read_annotation(Line *line, Error *error) {
     return false;
 }
 
-static bool read_line(Scene *scene, char *text, int number, Error *error) {
+static bool read_line(SceneFile *file, char *text, int number, Error *error) {
     char *mark = strstr(text, "//@");
     char *comment = strstr(text, "//");
     if (!mark || comment != mark) return true;
     *mark = 0;
-    Line line = {.scene = scene, .declaration = text, .number = number};
+    Line line = {.file = file, .declaration = text, .number = number};
     if (cut_words(&line, mark + 3, error) && read_annotation(&line, error)) return true;
     error->status = STATUS_SCENE;
-    return error_prefix(error, "%s:%d: ", scene->path, number);
+    return error_prefix(error, "%s:%d: ", file->path, number);
 }
 
 /* A preset's settings may name parameters declared below it, so all are tried at the end, on a copy. */
-static bool try_presets(const Scene *scene, Error *error) {
-    for (int i = 0; i < scene->preset_count; i++) {
-        Scene trial = *scene;
-        if (!scene_choose_preset(&trial, scene->presets[i].name, error)) {
+static bool try_presets(const SceneFile *file, Error *error) {
+    for (int i = 0; i < file->preset_count; i++) {
+        Scene trial = {file, file->values};
+        if (!scene_choose_preset(&trial, file->presets[i].name, error)) {
             error->status = STATUS_SCENE;
-            return error_prefix(error, "%s:%d: ", scene->path, scene->presets[i].line);
+            return error_prefix(error, "%s:%d: ", file->path, file->presets[i].line);
         }
     }
     return true;
 }
 
-static const Parameter *find_slider(const Scene *scene, const char *name) {
-    for (int i = 0; i < scene->parameter_count; i++) {
-        const Parameter *parameter = &scene->parameters[i];
+static const Parameter *find_slider(const SceneFile *file, const char *name) {
+    for (int i = 0; i < file->parameter_count; i++) {
+        const Parameter *parameter = &file->parameters[i];
         if (parameter->type == PARAMETER_SLIDER && strcmp(parameter->name, name) == 0) return parameter;
     }
     return NULL;
 }
 
-/* A sphere may be named by sliders declared below it too. */
-static bool check_spheres(const Scene *scene, const char *key, const NamedSphere *spheres, int count,
-                          Error *error) {
-    for (int i = 0; i < count * 4; i++) {
-        const NamedSphere *sphere = &spheres[i / 4];
-        const char *word = sphere->words[i % 4];
+/* A hint may be named by sliders declared below it too. */
+static bool check_hints(const SceneFile *file, HintKind kind, Error *error) {
+    const HintInfo *info = hint_info(kind);
+    for (int i = 0; i < file->hints[kind].count * info->components; i++) {
+        const Hint *hint = &file->hints[kind].list[i / info->components];
+        int component = i % info->components;
+        const char *word = hint->words[component];
+        bool radius = component == 3;
         double number;
-        if (find_slider(scene, word) || (number_parse(word, &number) && (i % 4 < 3 || number > 0))) continue;
+        if (find_slider(file, word + (*word == '-' && !radius)) ||
+            (number_parse(word, &number) && (!radius || number > 0)))
+            continue;
         return error_set(error, STATUS_SCENE, "%s:%d: %s: '%s' is neither a %s nor a slider's name",
-                         scene->path, sphere->line, key, word, i % 4 < 3 ? "number" : "number above 0");
+                         file->path, hint->line, info->key, word, radius ? "number above 0" : "number");
     }
     return true;
 }
 
-static bool check_planes(const Scene *scene, Error *error) {
-    for (int i = 0; i < scene->plane_count * 2; i++) {
-        const char *word = scene->planes[i / 2].words[i % 2];
-        double number;
-        if (find_slider(scene, word + (*word == '-')) || number_parse(word, &number)) continue;
-        return error_set(error, STATUS_SCENE,
-                         "%s:%d: mirror-plane: '%s' is neither a number nor a slider's name", scene->path,
-                         scene->planes[i / 2].line, word);
-    }
-    return true;
-}
-
-static bool check_many_spheres(const Scene *scene, Error *error) {
-    const char *word = scene->spheres;
+static bool check_many_spheres(const SceneFile *file, Error *error) {
+    const char *word = file->spheres;
     double number;
     if (!word[0] || number_parse(word, &number) || is_file(word)) return true;
-    const Parameter *slider = find_slider(scene, word);
+    const Parameter *slider = find_slider(file, word);
     if (!slider) {
         return error_set(error, STATUS_SCENE,
                          "%s:%d: spheres: '%s' is neither a number, a slider's name nor a .csv file",
-                         scene->path, scene->spheres_line, word);
+                         file->path, file->spheres_line, word);
     }
     if (slider->min >= 0 && slider->max <= SCENE_MOST_SPHERES) return true;
     return error_set(error, STATUS_SCENE, "%s:%d: spheres: the slider '%s' goes from %g to %g, past 0 to %d",
-                     scene->path, scene->spheres_line, word, slider->min, slider->max, SCENE_MOST_SPHERES);
+                     file->path, file->spheres_line, word, slider->min, slider->max, SCENE_MOST_SPHERES);
 }
 
-bool annotation_read(Scene *scene, Error *error) {
-    Text file = {0};
-    if (!file_read(scene->path, STATUS_SCENE, &file, error)) {
-        text_free(&file);
+bool annotation_read(SceneFile *file, Error *error) {
+    Text text = {0};
+    if (!file_read(file->path, STATUS_SCENE, &text, error)) {
+        text_free(&text);
         return false;
     }
-    text_append(&file, "", 0);
+    text_append(&text, "", 0);
     int number = 1;
     bool ok = true, in_comment = false;
-    if (memchr(file.data, 0, file.size))
-        ok = error_set(error, STATUS_SCENE, "%s:1: not a text file", scene->path);
-    for (char *line = file.data; ok && *line; number++) {
+    if (memchr(text.data, 0, text.size))
+        ok = error_set(error, STATUS_SCENE, "%s:1: not a text file", file->path);
+    for (char *line = text.data; ok && *line; number++) {
         char *end = line + strcspn(line, "\n");
         bool last = !*end;
         *end = 0;
         bool starts_in_comment = in_comment;
         in_comment = glsl_ends_in_comment(line, in_comment);
-        if (!starts_in_comment) ok = read_line(scene, line, number, error);
+        if (!starts_in_comment) ok = read_line(file, line, number, error);
         line = last ? end : end + 1;
     }
-    text_free(&file);
-    return ok && check_spheres(scene, "bound", scene->bounds, scene->bound_count, error) &&
-           check_spheres(scene, "mirror-sphere", scene->mirrors, scene->mirror_count, error) &&
-           check_planes(scene, error) &&
-           check_spheres(scene, "emitter-sphere", scene->emitters, scene->emitter_count, error) &&
-           check_many_spheres(scene, error) && try_presets(scene, error);
+    text_free(&text);
+    for (int kind = 0; ok && kind < HINT_KINDS; kind++) ok = check_hints(file, (HintKind)kind, error);
+    return ok && check_many_spheres(file, error) && try_presets(file, error);
 }

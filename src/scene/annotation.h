@@ -1,7 +1,7 @@
 /* The `//@` lines of a scene file. */
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/scene_file.h"
 
-/* Fills the scene from the annotations in the file at scene->path. STATUS_SCENE with "path:line: ...". */
-MUST_CHECK bool annotation_read(Scene *scene, Error *error);
+/* Fills `file` from the annotations in the file at file->path. STATUS_SCENE with "path:line: ...". */
+MUST_CHECK bool annotation_read(SceneFile *file, Error *error);

@@ -1,9 +1,6 @@
 #include "sky/irradiance.h"
 
-#include "base/vec3.h"
 #include "gl/texture.h"
-
-#include <math.h>
 
 enum { TABLE_COLUMNS = 32, TABLE_ROWS = 8, TABLE_UNIT = 6 };
 
@@ -32,11 +29,6 @@ void irradiance_destroy(Irradiance *irradiance) {
     if (irradiance->table) irradiance->gl->DeleteTextures(1, &irradiance->table);
     program_destroy(&irradiance->fill);
     *irradiance = (Irradiance){0};
-}
-
-static void set_level(const Program *program, const char *name, const SkyState *state) {
-    double azimuth = state->sun_azimuth_deg * degree, level[3] = {sin(azimuth), 0, cos(azimuth)};
-    program_set_vec3(program, name, level);
 }
 
 static bool fill(Irradiance *irradiance, SkyPatches *patches, Sky *sky, const SkyState *state, Error *error) {
@@ -78,6 +70,6 @@ bool irradiance_use(Irradiance *irradiance, SkyPatches *patches, Sky *sky, const
     program_use(program);
     program_set_int(program, "irradiance_table", TABLE_UNIT);
     program_set_vec3(program, "irradiance_size", size);
-    set_level(program, "irradiance_level", state);
+    program_set_vec3(program, "irradiance_level", state->sun.level);
     return gl_check(gl, "setting up the sky's irradiance", error);
 }

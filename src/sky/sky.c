@@ -1,6 +1,5 @@
 #include "sky/sky.h"
 
-#include "base/vec3.h"
 #include "choice/bias.h"
 #include "gl/texture.h"
 #include "sky/gauss_table.h"
@@ -12,9 +11,8 @@
 enum { TABLE_UNIT = 4 }; /* texture units TABLE_UNIT and the next; the film has those before */
 
 bool sky_state_serves(const SkyState *made_for, const SkyState *state) {
-    SkyState turned = *state;
-    turned.sun_azimuth_deg = made_for->sun_azimuth_deg;
-    return memcmp(&turned, made_for, sizeof turned) == 0;
+    return memcmp(&made_for->atmosphere, &state->atmosphere, sizeof state->atmosphere) == 0 &&
+           memcmp(&made_for->sun.elevation_deg, &state->sun.elevation_deg, sizeof(double)) == 0;
 }
 
 double sky_horizon_sine(const Atmosphere *atmosphere) {
@@ -90,11 +88,8 @@ static void set_atmosphere(const Program *program, const Atmosphere *a) {
 }
 
 static void set_sun(const Program *program, const SkyState *state) {
-    double elevation = state->sun_elevation_deg * degree, azimuth = state->sun_azimuth_deg * degree;
-    double level[3] = {sin(azimuth), 0, cos(azimuth)};
-    double sun[3] = {cos(elevation) * level[0], sin(elevation), cos(elevation) * level[2]};
-    program_set_vec3(program, "sun_direction", sun);
-    program_set_vec3(program, "sun_level", level);
+    program_set_vec3(program, "sun_direction", state->sun.direction);
+    program_set_vec3(program, "sun_level", state->sun.level);
 }
 
 static void set_method(const Program *program, const MethodChoice *choice) {
@@ -135,7 +130,7 @@ static bool resize(Sky *sky, const SkyState *state, Error *error) {
     static const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     const GlApi *gl = sky->gl;
     int columns, rows;
-    bias_table_size(&sky->choice, state->sun_elevation_deg, &state->atmosphere, &columns, &rows);
+    bias_table_size(&sky->choice, state->sun.elevation_deg, &state->atmosphere, &columns, &rows);
     gl->BindFramebuffer(GL_FRAMEBUFFER, sky->framebuffer);
     if (columns == sky->columns && rows == sky->rows) return true;
     sky->columns = columns;

@@ -5,11 +5,12 @@
 #include "choice/method.h"
 #include "gl/program.h"
 #include "scene/atmosphere.h"
+#include "scene/sun.h"
 
 /* Where the sun is and the air that it shines through. */
 typedef struct SkyState {
     Atmosphere atmosphere;
-    double sun_elevation_deg, sun_azimuth_deg;
+    Sun sun;
 } SkyState;
 
 /* Whether a table made for one state serves the other: tables are turned with the sun's azimuth when they are

@@ -1,9 +1,6 @@
 #include "sky/sky_patches.h"
 
-#include "base/vec3.h"
 #include "gl/texture.h"
-
-#include <math.h>
 
 bool sky_patches_create(SkyPatches *patches, const Context *context, const char *library,
                         const MethodChoice *sky, const Atmosphere *atmosphere, Error *error) {
@@ -42,11 +39,10 @@ void sky_patches_destroy(SkyPatches *patches) {
 
 bool sky_patches_fill(SkyPatches *patches, Sky *sky, const SkyState *state, Error *error) {
     static const double count[3] = {PATCH_COLUMNS, PATCH_ROWS_ABOVE, PATCH_ROWS_BELOW};
-    double azimuth = state->sun_azimuth_deg * degree, level[3] = {sin(azimuth), 0, cos(azimuth)};
     if (!sky_use(sky, &patches->program, state, error)) return false;
     program_set_vec3(&patches->program, "patch_count", count);
     program_set_float(&patches->program, "patch_horizon", sky_horizon_sine(&state->atmosphere));
-    program_set_vec3(&patches->program, "patch_level", level);
+    program_set_vec3(&patches->program, "patch_level", state->sun.level);
     patches->gl->BindFramebuffer(GL_FRAMEBUFFER, patches->framebuffer);
     patches->gl->Viewport(0, 0, PATCH_COLUMNS, PATCH_ROWS);
     program_draw(&patches->program, 0, 0, PATCH_COLUMNS, PATCH_ROWS);

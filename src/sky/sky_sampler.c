@@ -142,7 +142,6 @@ void sky_sampler_bind(const SkySampler *sampler) {
 bool sky_sampler_use(SkySampler *sampler, SkyPatches *patches, Sky *sky, const Program *program,
                      const SkyState *state, Error *error) {
     static const double count[3] = {PATCH_COLUMNS, PATCH_ROWS_ABOVE, PATCH_ROWS_BELOW};
-    double azimuth = state->sun_azimuth_deg * degree, level[3] = {sin(azimuth), 0, cos(azimuth)};
     bool filled = sampler->fills && sky_state_serves(&sampler->filled_for, state);
     if (!filled && !fill(sampler, patches, sky, state, error)) return false;
     sky_sampler_bind(sampler);
@@ -151,6 +150,6 @@ bool sky_sampler_use(SkySampler *sampler, SkyPatches *patches, Sky *sky, const P
     program_set_int(program, "sky_cell_share", SHARES_UNIT);
     program_set_vec3(program, "sky_cells_count", count);
     program_set_float(program, "sky_cells_horizon", sky_horizon_sine(&state->atmosphere));
-    program_set_vec3(program, "sky_cells_level", level);
+    program_set_vec3(program, "sky_cells_level", state->sun.level);
     return gl_check(sampler->gl, "setting up the sky's sampler", error);
 }

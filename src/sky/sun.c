@@ -10,31 +10,32 @@
 enum { TABLE_COLUMNS = 256, TABLE_UNIT = 2, COVER_UNIT = 3 };
 
 static SunDisk disk_of(const Scene *scene) {
-    return sun_disk(&scene->atmosphere, scene->sun_elevation_deg, scene->sun_azimuth_deg,
-                    scene->sun_radius_deg);
+    return sun_disk(&scene->values.atmosphere, &scene->values.sun);
 }
 
 void sun_slots(const MethodChoice *choice, const Scene *scene, bool image, const char *spheres,
                const char *planes, GlslSlot *slots) {
-    bool mirrors = scene->mirror_count > 0;
+    bool mirrors = scene_hint_count(scene, HINT_MIRROR_SPHERE) > 0;
     slots[0] = (GlslSlot){"sun", choice->method->file, NULL};
     slots[1] = (GlslSlot){"sun-image", image ? "pass/sun_image.glsl" : "pass/sun_image_none.glsl", NULL};
     slots[2] = (GlslSlot){"mirrors", mirrors ? "sun/mirrors.glsl" : "sun/mirrors_none.glsl", NULL};
     slots[3] = (GlslSlot){"mirrors-image",
                           mirrors ? "pass/mirrors_image.glsl" : "pass/mirrors_image_none.glsl", NULL};
     slots[4] = (GlslSlot){"mirror-spheres", NULL, spheres};
-    slots[5] = (GlslSlot){"planes", scene->plane_count ? "sun/planes.glsl" : "sun/planes_none.glsl", NULL};
+    slots[5] = (GlslSlot){
+        "planes", scene_hint_count(scene, HINT_MIRROR_PLANE) ? "sun/planes.glsl" : "sun/planes_none.glsl",
+        NULL};
     slots[6] = (GlslSlot){"mirror-planes", NULL, planes};
 }
 
 bool sun_choose(MethodChoice *choice, const char *text, const Scene *scene, Error *error) {
     SunDisk disk = disk_of(scene);
-    if (!text) text = scene->sun_disk ? "auto" : "off";
+    if (!text) text = scene->values.sun_disk ? "auto" : "off";
     if (!method_choose(choice, METHOD_SUN, text, error)) return false;
     return sun_disk_visible(&disk) || method_choose(choice, METHOD_SUN, "off", error);
 }
 
-static void add_rectangle(Sun *sun, Rectangle rectangle) {
+static void add_rectangle(SunTables *sun, Rectangle rectangle) {
     if (rectangle.width && rectangle.height) sun->rectangles[sun->rectangle_count++] = rectangle;
 }
 
@@ -64,11 +65,11 @@ static bool reflected_toward(const double eye[3], const double sphere[4], const 
     return true;
 }
 
-static void find_rectangles(Sun *sun, const SunDisk *disk, const Scene *scene, const Camera *camera) {
+static void find_rectangles(SunTables *sun, const SunDisk *disk, const Scene *scene, const Camera *camera) {
     add_rectangle(sun, camera_cone_rectangle(camera, disk->middle, disk->radius));
-    for (int i = 0; i < scene->mirror_count; i++) {
+    for (int i = 0; i < scene_hint_count(scene, HINT_MIRROR_SPHERE); i++) {
         double sphere[4], direction[3];
-        scene_sphere(scene, &scene->mirrors[i], sphere);
+        scene_hint(scene, HINT_MIRROR_SPHERE, i, sphere);
         if (sphere[3] <= 0 || !reflected_toward(camera->eye, sphere, disk->middle, direction)) continue;
         add_rectangle(sun, camera_cone_rectangle(camera, direction, 1.1 * disk->radius));
     }
@@ -76,25 +77,25 @@ static void find_rectangles(Sun *sun, const SunDisk *disk, const Scene *scene, c
 
 /* The disk's image as it would be unblocked; a texel of nothing where it is not in the picture or is no
  * ellipse there. */
-static void create_cover(Sun *sun, const SunDisk *disk, const Scene *scene, const Camera *camera) {
+static void create_cover(SunTables *sun, const SunDisk *disk, const Scene *scene, const Camera *camera) {
     Rectangle r = camera_cone_rectangle(camera, disk->middle, disk->radius);
     float none[4] = {0};
     float *cover =
         r.width && r.height ? memory_get((size_t)r.width * (size_t)r.height, 4 * sizeof *cover) : none;
-    bool there = cover != none && sun_disk_cover(disk, &scene->atmosphere, camera, r, cover);
+    bool there = cover != none && sun_disk_cover(disk, &scene->values.atmosphere, camera, r, cover);
     if (there) sun->covered = r;
     sun->cover =
         texture_create(sun->gl, there ? r.width : 1, there ? r.height : 1, GL_NEAREST, there ? cover : none);
     if (cover != none) free(cover);
 }
 
-bool sun_create(Sun *sun, const Context *context, const MethodChoice *choice, const Scene *scene,
+bool sun_create(SunTables *sun, const Context *context, const MethodChoice *choice, const Scene *scene,
                 const Camera *camera, Error *error) {
     SunDisk disk = disk_of(scene);
     float table[4 * TABLE_COLUMNS];
-    *sun = (Sun){.gl = &context->gl};
+    *sun = (SunTables){.gl = &context->gl};
     if (!choice->method->has_disk) return true;
-    sun_disk_table(&disk, &scene->atmosphere, TABLE_COLUMNS, table);
+    sun_disk_table(&disk, &scene->values.atmosphere, TABLE_COLUMNS, table);
     sun->table = texture_create(sun->gl, TABLE_COLUMNS, 1, GL_LINEAR, table);
     if (choice->method->draws_image) {
         find_rectangles(sun, &disk, scene, camera);
@@ -105,14 +106,14 @@ bool sun_create(Sun *sun, const Context *context, const MethodChoice *choice, co
     return false;
 }
 
-void sun_destroy(Sun *sun) {
+void sun_destroy(SunTables *sun) {
     if (!sun->gl) return;
     if (sun->table) sun->gl->DeleteTextures(1, &sun->table);
     if (sun->cover) sun->gl->DeleteTextures(1, &sun->cover);
-    *sun = (Sun){0};
+    *sun = (SunTables){0};
 }
 
-void sun_bind(const Sun *sun) {
+void sun_bind(const SunTables *sun) {
     if (!sun->table) return;
     sun->gl->ActiveTexture(GL_TEXTURE0 + TABLE_UNIT);
     sun->gl->BindTexture(GL_TEXTURE_2D, sun->table);
@@ -121,7 +122,7 @@ void sun_bind(const Sun *sun) {
     sun->gl->ActiveTexture(GL_TEXTURE0);
 }
 
-void sun_use(const Sun *sun, const Program *program, const Scene *scene, const Camera *camera) {
+void sun_use(const SunTables *sun, const Program *program, const Scene *scene, const Camera *camera) {
     SunDisk disk = disk_of(scene);
     if (!sun->table) return;
     double heights[3] = {disk.lowest, disk.top, 0}, heart[3], heart_at[3] = {0}, corner[3] = {0};

@@ -11,14 +11,14 @@
 
 enum { STRIPS = 48, COLUMNS = 512 };
 
-SunDisk sun_disk(const Atmosphere *atmosphere, double elevation_deg, double azimuth_deg, double radius_deg) {
-    double elevation = elevation_deg * degree, azimuth = azimuth_deg * degree;
-    double level[2] = {sin(azimuth), cos(azimuth)}, radius = radius_deg * degree;
-    SunDisk disk = {.middle = {cos(elevation) * level[0], sin(elevation), cos(elevation) * level[1]},
-                    .right = {-level[1], 0, level[0]},
-                    .up = {-sin(elevation) * level[0], cos(elevation), -sin(elevation) * level[1]},
+SunDisk sun_disk(const Atmosphere *atmosphere, const Sun *sun) {
+    const double *level = sun->level;
+    double elevation = sun->elevation_deg * degree, radius = sun->radius_deg * degree;
+    SunDisk disk = {.right = {-level[2], 0, level[0]},
+                    .up = {-sin(elevation) * level[0], cos(elevation), -sin(elevation) * level[2]},
                     .radius = radius,
                     .horizon = sky_horizon_sine(atmosphere)};
+    memcpy(disk.middle, sun->direction, sizeof disk.middle);
     double bottom = fmax(elevation - radius, -pi / 2), highest = fmin(elevation + radius, pi / 2);
     disk.lowest = fmax(sin(bottom), disk.horizon);
     disk.top = elevation + radius > pi / 2 ? 1 : sin(highest);

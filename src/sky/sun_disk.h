@@ -4,6 +4,7 @@
 
 #include "gl/camera.h"
 #include "scene/atmosphere.h"
+#include "scene/sun.h"
 
 typedef struct SunDisk {
     double middle[3], right[3],
@@ -13,7 +14,7 @@ typedef struct SunDisk {
     double horizon;     /* sine of the visible horizon's elevation */
 } SunDisk;
 
-SunDisk sun_disk(const Atmosphere *atmosphere, double elevation_deg, double azimuth_deg, double radius_deg);
+SunDisk sun_disk(const Atmosphere *atmosphere, const Sun *sun);
 
 /* Whether any of it is above the horizon. */
 bool sun_disk_visible(const SunDisk *disk);

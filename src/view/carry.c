@@ -9,14 +9,16 @@ static void carry(double *next, const double *file, const double *current, int c
     if (memcmp(file, current, size) != 0) memcpy(next, current, size);
 }
 
-static void carry_camera(Scene *next, const Scene *file, const Scene *current) {
-    bool moved = memcmp(file->eye, current->eye, sizeof file->eye) != 0 ||
-                 memcmp(file->target, current->target, sizeof file->target) != 0 ||
-                 file->fov_deg < current->fov_deg || file->fov_deg > current->fov_deg;
-    if (!moved) return;
-    memcpy(next->eye, current->eye, sizeof next->eye);
-    memcpy(next->target, current->target, sizeof next->target);
-    next->fov_deg = current->fov_deg;
+static void carry_camera(Viewpoint *next, const Viewpoint *file, const Viewpoint *current) {
+    if (memcmp(file, current, sizeof *file) != 0) *next = *current;
+}
+
+static void carry_sun(Sun *next, const Sun *file, const Sun *current) {
+    Sun sun = *next;
+    carry(&sun.elevation_deg, &file->elevation_deg, &current->elevation_deg, 1);
+    carry(&sun.azimuth_deg, &file->azimuth_deg, &current->azimuth_deg, 1);
+    carry(&sun.radius_deg, &file->radius_deg, &current->radius_deg, 1);
+    *next = sun_at(sun.elevation_deg, sun.azimuth_deg, sun.radius_deg);
 }
 
 static void carry_atmosphere(Atmosphere *next, const Atmosphere *file, const Atmosphere *current) {
@@ -27,30 +29,31 @@ static void carry_atmosphere(Atmosphere *next, const Atmosphere *file, const Atm
     }
 }
 
-static const Parameter *find(const Scene *scene, const char *name, ParameterType type) {
-    for (int i = 0; i < scene->parameter_count; i++) {
-        const Parameter *parameter = &scene->parameters[i];
-        if (parameter->type == type && strcmp(parameter->name, name) == 0) return parameter;
+/* The parameter's number, or -1. */
+static int find(const SceneFile *file, const Parameter *wanted) {
+    for (int i = 0; i < file->parameter_count; i++) {
+        const Parameter *parameter = &file->parameters[i];
+        if (parameter->type == wanted->type && strcmp(parameter->name, wanted->name) == 0) return i;
     }
-    return NULL;
+    return -1;
 }
 
-static void carry_parameter(Parameter *next, const Scene *file, const Scene *current) {
-    const Parameter *before = find(file, next->name, next->type),
-                    *now = find(current, next->name, next->type);
-    if (!before || !now) return;
-    carry(next->value, before->value, now->value, 3);
-    if (next->type != PARAMETER_SLIDER) return;
-    next->value[0] = fmin(fmax(next->value[0], next->min), next->max);
+static void carry_parameter(Scene *next, int number, const Scene *file, const Scene *current) {
+    const Parameter *parameter = &next->file->parameters[number];
+    double *value = next->values.parameters[number];
+    int before = find(file->file, parameter), now = find(current->file, parameter);
+    if (before < 0 || now < 0) return;
+    carry(value, file->values.parameters[before], current->values.parameters[now], 3);
+    if (parameter->type == PARAMETER_SLIDER) value[0] = fmin(fmax(value[0], parameter->min), parameter->max);
 }
 
 void carry_over(Scene *next, const Scene *file, const Scene *current) {
-    carry_camera(next, file, current);
-    carry(&next->sun_elevation_deg, &file->sun_elevation_deg, &current->sun_elevation_deg, 1);
-    carry(&next->sun_azimuth_deg, &file->sun_azimuth_deg, &current->sun_azimuth_deg, 1);
-    carry(&next->sun_radius_deg, &file->sun_radius_deg, &current->sun_radius_deg, 1);
-    carry(&next->exposure_ev, &file->exposure_ev, &current->exposure_ev, 1);
-    if (file->sun_disk != current->sun_disk) next->sun_disk = current->sun_disk;
-    carry_atmosphere(&next->atmosphere, &file->atmosphere, &current->atmosphere);
-    for (int i = 0; i < next->parameter_count; i++) carry_parameter(&next->parameters[i], file, current);
+    SceneValues *to = &next->values;
+    const SceneValues *before = &file->values, *now = &current->values;
+    carry_camera(&to->camera, &before->camera, &now->camera);
+    carry_sun(&to->sun, &before->sun, &now->sun);
+    carry(&to->exposure_ev, &before->exposure_ev, &now->exposure_ev, 1);
+    if (before->sun_disk != now->sun_disk) to->sun_disk = now->sun_disk;
+    carry_atmosphere(&to->atmosphere, &before->atmosphere, &now->atmosphere);
+    for (int i = 0; i < next->file->parameter_count; i++) carry_parameter(next, i, file, current);
 }

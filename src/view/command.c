@@ -45,22 +45,20 @@ static void print_atmosphere(Text *text, const Atmosphere *atmosphere, const Atm
     }
 }
 
-static void print_parameters(Text *text, const Scene *scene, const Scene *file) {
-    for (int i = 0; i < scene->parameter_count; i++) {
-        const Parameter *now = &scene->parameters[i];
-        int count = now->type == PARAMETER_COLOR ? 3 : 1;
-        bool same = i < file->parameter_count && strcmp(file->parameters[i].name, now->name) == 0 &&
-                    !differ(now->value, file->parameters[i].value, count);
-        if (!same) print_setting(text, "", now->name, now->value, count);
+static void print_parameters(Text *text, const Scene *scene) {
+    const SceneFile *file = scene->file;
+    for (int i = 0; i < file->parameter_count; i++) {
+        const double *now = scene->values.parameters[i];
+        int count = file->parameters[i].type == PARAMETER_COLOR ? 3 : 1;
+        if (differ(now, file->values.parameters[i], count))
+            print_setting(text, "", file->parameters[i].name, now, count);
     }
 }
 
 void view_command(const CommandParams *params, Text *command) {
-    const Scene *scene = params->scene;
+    const SceneFile *scene = params->scene->file;
+    const SceneValues *now = &params->scene->values, *file = &scene->values;
     const Renderer *renderer = params->renderer;
-    Scene file;
-    Error error;
-    if (!scene_read(&file, scene->path, &error)) file = scene_default(scene->path);
     text_print(command, "magichour render ");
     /* A path that begins with a hyphen would be an option. */
     if (*scene->path == '-') text_print(command, "./");
@@ -75,17 +73,18 @@ void view_command(const CommandParams *params, Text *command) {
                renderer->light.text, renderer->sequence.text, renderer->sun_disk.text);
     if (renderer->seed) text_print(command, " --seed %u", renderer->seed);
     if (params->max_hits) text_print(command, " --depth %d", params->max_hits);
-    print_number(command, " --sun ", scene->sun_elevation_deg);
-    print_number(command, ",", scene->sun_azimuth_deg);
-    if (differ(&scene->sun_radius_deg, &file.sun_radius_deg, 1))
-        print_setting(command, "sun.", "radius", &scene->sun_radius_deg, 1);
-    if (differ(scene->eye, file.eye, 3)) print_setting(command, "camera.", "eye", scene->eye, 3);
-    if (differ(scene->target, file.target, 3)) print_setting(command, "camera.", "target", scene->target, 3);
-    if (differ(&scene->fov_deg, &file.fov_deg, 1))
-        print_setting(command, "camera.", "fov", &scene->fov_deg, 1);
-    if (differ(&scene->exposure_ev, &file.exposure_ev, 1))
-        print_number(command, " --exposure ", scene->exposure_ev);
-    print_parameters(command, scene, &file);
-    print_atmosphere(command, &scene->atmosphere, &file.atmosphere);
-    scene_destroy(&file);
+    print_number(command, " --sun ", now->sun.elevation_deg);
+    print_number(command, ",", now->sun.azimuth_deg);
+    if (differ(&now->sun.radius_deg, &file->sun.radius_deg, 1))
+        print_setting(command, "sun.", "radius", &now->sun.radius_deg, 1);
+    if (differ(now->camera.eye, file->camera.eye, 3))
+        print_setting(command, "camera.", "eye", now->camera.eye, 3);
+    if (differ(now->camera.target, file->camera.target, 3))
+        print_setting(command, "camera.", "target", now->camera.target, 3);
+    if (differ(&now->camera.fov_deg, &file->camera.fov_deg, 1))
+        print_setting(command, "camera.", "fov", &now->camera.fov_deg, 1);
+    if (differ(&now->exposure_ev, &file->exposure_ev, 1))
+        print_number(command, " --exposure ", now->exposure_ev);
+    print_parameters(command, params->scene);
+    print_atmosphere(command, &now->atmosphere, &file->atmosphere);
 }

@@ -45,13 +45,14 @@ static int side_at(const ViewState *state, double x, int width) {
 
 static void turn_sun(ViewState *state, int side, double elevation_deg, double azimuth_deg) {
     Scene scene = view_scene(state, side);
-    view_set_sun(state, side, scene.sun_elevation_deg + elevation_deg, scene.sun_azimuth_deg + azimuth_deg);
+    view_set_sun(state, side, scene.values.sun.elevation_deg + elevation_deg,
+                 scene.values.sun.azimuth_deg + azimuth_deg);
 }
 
 /* "-4", "-4 90" or "-4, 90". */
 static void end_prompt(ViewState *state) {
     Scene scene = view_scene(state, state->prompt_side);
-    double elevation, azimuth = scene.sun_azimuth_deg;
+    double elevation, azimuth = scene.values.sun.azimuth_deg;
     char spaced[sizeof state->prompt], words[2][32] = {"", ""}, more[2];
     snprintf(spaced, sizeof spaced, "%s", state->prompt);
     for (char *comma = spaced; (comma = strchr(comma, ','));) *comma = ' ';
@@ -62,7 +63,7 @@ static void end_prompt(ViewState *state) {
     if (good) {
         view_set_sun(state, state->prompt_side, elevation, azimuth);
         scene = view_scene(state, state->prompt_side);
-        view_notice(state, "sun %g %g", scene.sun_elevation_deg, scene.sun_azimuth_deg);
+        view_notice(state, "sun %g %g", scene.values.sun.elevation_deg, scene.values.sun.azimuth_deg);
     } else if (count > 0) {
         Error error;
         error_set(&error, STATUS_USAGE, "'%s' is not ELEVATION [AZIMUTH] in degrees", state->prompt);
@@ -94,7 +95,7 @@ static void prompt_key(ViewState *state, int key) {
 static void toggle_day(ViewState *state) {
     state->playing = !state->playing;
     if (state->playing)
-        state->day = day_through(state->scene.sun_elevation_deg, state->scene.sun_azimuth_deg);
+        state->day = day_through(state->scene.values.sun.elevation_deg, state->scene.values.sun.azimuth_deg);
     view_notice(state, state->playing ? "a day, %g hours a second" : "the day stands still",
                 state->hours_per_second);
 }
@@ -105,9 +106,7 @@ static void change_speed(ViewState *state, double factor) {
 }
 
 static void own_camera(ViewState *state) {
-    memcpy(state->scene.eye, state->file.eye, sizeof state->scene.eye);
-    memcpy(state->scene.target, state->file.target, sizeof state->scene.target);
-    state->scene.fov_deg = state->file.fov_deg;
+    state->scene.values.camera = state->file.values.camera;
 }
 
 static void toggle_split(ViewState *state) {
@@ -125,11 +124,10 @@ static void exchange_sides(ViewState *state) {
     state->methods[0] = state->methods[1];
     state->methods[1] = methods;
     if (!state->own_sun) return;
-    double elevation = state->scene.sun_elevation_deg, azimuth = state->scene.sun_azimuth_deg;
-    state->scene.sun_elevation_deg = state->own_elevation_deg;
-    state->scene.sun_azimuth_deg = state->own_azimuth_deg;
-    state->own_elevation_deg = elevation;
-    state->own_azimuth_deg = azimuth;
+    Sun sun = state->scene.values.sun;
+    scene_set_sun(&state->scene, state->own_elevation_deg, state->own_azimuth_deg);
+    state->own_elevation_deg = sun.elevation_deg;
+    state->own_azimuth_deg = sun.azimuth_deg;
 }
 
 static void change_range(ViewState *state, bool wider) {
@@ -142,7 +140,7 @@ static void change_range(ViewState *state, bool wider) {
 }
 
 static void change_exposure(ViewState *state, double stops) {
-    state->scene.exposure_ev = fmin(fmax(state->scene.exposure_ev + stops, -64), 64);
+    state->scene.values.exposure_ev = fmin(fmax(state->scene.values.exposure_ev + stops, -64), 64);
 }
 
 /* Arrows; azimuth grows to the left of who looks along +z. */
@@ -225,8 +223,8 @@ static void hold(Controls *controls, const ViewState *state, int key, bool down)
     if (key != GLFW_KEY_S) return;
     controls->s_drags = false;
     controls->s_since = clock_seconds();
-    memcpy(controls->eye_before_s, state->scene.eye, sizeof controls->eye_before_s);
-    memcpy(controls->target_before_s, state->scene.target, sizeof controls->target_before_s);
+    memcpy(controls->eye_before_s, state->scene.values.camera.eye, sizeof controls->eye_before_s);
+    memcpy(controls->target_before_s, state->scene.values.camera.target, sizeof controls->target_before_s);
 }
 
 static void on_key(Controls *controls, ViewState *state, const WindowEvent *event, int width) {
@@ -252,8 +250,9 @@ static Drag drag_of(Controls *controls, ViewState *state, const WindowEvent *eve
     if (controls->held[HELD_S]) {
         /* The S was no wish to fly. */
         controls->s_drags = true;
-        memcpy(state->scene.eye, controls->eye_before_s, sizeof state->scene.eye);
-        memcpy(state->scene.target, controls->target_before_s, sizeof state->scene.target);
+        memcpy(state->scene.values.camera.eye, controls->eye_before_s, sizeof state->scene.values.camera.eye);
+        memcpy(state->scene.values.camera.target, controls->target_before_s,
+               sizeof state->scene.values.camera.target);
         return DRAG_SUN;
     }
     if (state->split && fabs(event->x - state->divider * width) < 8) return DRAG_DIVIDER;
@@ -279,7 +278,7 @@ static void on_button(Controls *controls, ViewState *state, const WindowEvent *e
 }
 
 static void drag(Controls *controls, ViewState *state, double right, double up, int width, int height) {
-    double fov = state->scene.fov_deg, degrees_per_pixel = fmin(fov, 90) / height;
+    double fov = state->scene.values.camera.fov_deg, degrees_per_pixel = fmin(fov, 90) / height;
     double metres_per_pixel = 2 * orbit_distance(&state->scene) * tan(fov * degree / 2) / height;
     switch (controls->drag) {
     case DRAG_SUN:

@@ -8,15 +8,16 @@ static const unsigned rays = 16;
 static bool follow(Inspect *inspect, const Context *context, const RenderParams *params,
                    const Renderer *renderer, Error *error) {
     const Camera *camera = &renderer->camera;
-    Scene scene = *params->scene;
     bool ok = true;
     if (!inspect->aov.program.id) {
         ok = aov_create(&inspect->aov, AOV_ALBEDO | AOV_DEPTH, context, params, renderer, error);
-    } else if (memcmp(&scene, &inspect->told, sizeof scene) != 0 || inspect->width != camera->width ||
+    } else if (!scene_same(params->scene, &inspect->told) || inspect->width != camera->width ||
                inspect->height != camera->height) {
         ok = aov_restart(&inspect->aov, context, params, renderer, error);
     }
-    inspect->told = scene;
+    Scene told = scene_share(params->scene);
+    scene_destroy(&inspect->told);
+    inspect->told = told;
     inspect->width = camera->width;
     inspect->height = camera->height;
     return ok;
@@ -51,5 +52,6 @@ bool inspect_pixel(Inspect *inspect, const Context *context, const RenderParams 
 
 void inspect_destroy(Inspect *inspect) {
     aov_destroy(&inspect->aov);
+    scene_destroy(&inspect->told);
     *inspect = (Inspect){0};
 }

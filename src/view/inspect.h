@@ -5,8 +5,10 @@
 #include "view/figures.h"
 
 typedef struct Inspect {
-    Aov aov;    /* made when it is first asked for */
-    Scene told; /* the scene that it knows */
+    /* Made when it is first asked for. */
+    Aov aov;
+    /* The scene that it knows; owned. */
+    Scene told;
     int width, height;
 } Inspect;
 

@@ -27,39 +27,42 @@ static void place(const double from[3], Polar polar, double out[3]) {
 }
 
 double orbit_distance(const Scene *scene) {
-    return polar_of(scene->target, scene->eye).length;
+    return polar_of(scene->values.camera.target, scene->values.camera.eye).length;
 }
 
 void orbit_turn(Scene *scene, double right_deg, double up_deg) {
-    Polar polar = polar_of(scene->target, scene->eye);
+    Polar polar = polar_of(scene->values.camera.target, scene->values.camera.eye);
     polar.azimuth_deg -= right_deg;
     polar.elevation_deg -= up_deg;
-    place(scene->target, polar, scene->eye);
+    place(scene->values.camera.target, polar, scene->values.camera.eye);
 }
 
 void orbit_look(Scene *scene, double right_deg, double up_deg) {
-    Polar polar = polar_of(scene->eye, scene->target);
+    Polar polar = polar_of(scene->values.camera.eye, scene->values.camera.target);
     polar.azimuth_deg -= right_deg;
     polar.elevation_deg += up_deg;
-    place(scene->eye, polar, scene->target);
+    place(scene->values.camera.eye, polar, scene->values.camera.target);
 }
 
 void orbit_zoom(Scene *scene, double factor) {
     double distance = orbit_distance(scene), wanted = fmin(fmax(distance * factor, nearest), farthest);
     for (int i = 0; i < 3; i++)
-        scene->eye[i] = scene->target[i] + (scene->eye[i] - scene->target[i]) * wanted / distance;
+        scene->values.camera.eye[i] =
+            scene->values.camera.target[i] +
+            (scene->values.camera.eye[i] - scene->values.camera.target[i]) * wanted / distance;
 }
 
 void orbit_move(Scene *scene, double right, double up, double ahead) {
-    Polar view = polar_of(scene->eye, scene->target);
+    Polar view = polar_of(scene->values.camera.eye, scene->values.camera.target);
     double a = view.azimuth_deg * degree, e = view.elevation_deg * degree;
     double forward[3] = {cos(e) * sin(a), sin(e), cos(e) * cos(a)}, side[3] = {-cos(a), 0, sin(a)};
     double over[3] = {-sin(e) * sin(a), cos(e), -sin(e) * cos(a)}, step[3];
     for (int i = 0; i < 3; i++) step[i] = right * side[i] + up * over[i] + ahead * forward[i];
     for (int i = 0; i < 3; i++) {
-        if (fabs(scene->eye[i] + step[i]) > most_coordinate ||
-            fabs(scene->target[i] + step[i]) > most_coordinate)
+        if (fabs(scene->values.camera.eye[i] + step[i]) > most_coordinate ||
+            fabs(scene->values.camera.target[i] + step[i]) > most_coordinate)
             return;
     }
-    for (int i = 0; i < 3; i++) scene->eye[i] += step[i], scene->target[i] += step[i];
+    for (int i = 0; i < 3; i++)
+        scene->values.camera.eye[i] += step[i], scene->values.camera.target[i] += step[i];
 }

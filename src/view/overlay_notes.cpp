@@ -48,7 +48,7 @@ float overlay_sides(const ViewState *state, const ViewFigures *figures, float fl
     for (int i = 0; i < MOST_SIDES; i++) {
         Scene scene = view_scene(state, i);
         int sun = state->own_sun ? snprintf(texts[i], sizeof texts[i], "sun %.4g %.4g\n",
-                                            scene.sun_elevation_deg, scene.sun_azimuth_deg)
+                                            scene.values.sun.elevation_deg, scene.values.sun.azimuth_deg)
                                  : 0;
         figures_side(&figures->sides[i], texts[i] + sun, sizeof texts[i] - (size_t)sun);
     }

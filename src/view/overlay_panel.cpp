@@ -25,7 +25,7 @@ static bool slider(const char *label, double *value, double min, double max, con
 }
 
 static void sun_section(ViewState *state) {
-    double elevation = state->scene.sun_elevation_deg, azimuth = state->scene.sun_azimuth_deg;
+    double elevation = state->scene.values.sun.elevation_deg, azimuth = state->scene.values.sun.azimuth_deg;
     bool moved = slider("elevation", &elevation, -18, 90, "%.2f deg");
     moved = slider("azimuth", &azimuth, 0, 360, "%.2f deg") || moved;
     if (moved) view_set_sun(state, 0, elevation, azimuth);
@@ -42,12 +42,12 @@ static void sun_section(ViewState *state) {
         state->day = day_through(elevation, azimuth);
     }
     if (state->playing) slider("hours/s", &state->hours_per_second, 0.01, 4, "%.2f");
-    slider("exposure", &state->scene.exposure_ev, -8, 8, "%.2f EV");
+    slider("exposure", &state->scene.values.exposure_ev, -8, 8, "%.2f EV");
 }
 
 static void preset_section(ViewState *state) {
-    for (int i = 0; i < state->scene.preset_count; i++) {
-        const char *name = state->scene.presets[i].name;
+    for (int i = 0; i < state->scene.file->preset_count; i++) {
+        const char *name = state->scene.file->presets[i].name;
         float next = ImGui::CalcTextSize(name).x + em(1.2f);
         float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
         if (i && used + next < em(panel_width)) ImGui::SameLine();
@@ -55,9 +55,9 @@ static void preset_section(ViewState *state) {
     }
 }
 
-static void parameter(Parameter *p) {
-    float color[3] = {(float)p->value[0], (float)p->value[1], (float)p->value[2]};
-    bool on = p->value[0] > 0;
+static void parameter(const Parameter *p, double *value) {
+    float color[3] = {(float)value[0], (float)value[1], (float)value[2]};
+    bool on = value[0] > 0;
     char format[32];
     snprintf(format, sizeof format, "%%.3g %s", p->unit);
     for (char *c = format + 5; *c; c++) {
@@ -65,14 +65,14 @@ static void parameter(Parameter *p) {
     }
     switch (p->type) {
     case PARAMETER_SLIDER:
-        slider(p->name, &p->value[0], p->min, p->max, format);
+        slider(p->name, value, p->min, p->max, format);
         break;
     case PARAMETER_CHECKBOX:
-        if (ImGui::Checkbox(p->name, &on)) p->value[0] = on;
+        if (ImGui::Checkbox(p->name, &on)) value[0] = on;
         break;
     case PARAMETER_COLOR:
         if (!ImGui::ColorEdit3(p->name, color)) break;
-        for (int c = 0; c < 3; c++) p->value[c] = std::fmin(std::fmax(color[c], 0.0f), 1.0f);
+        for (int c = 0; c < 3; c++) value[c] = std::fmin(std::fmax(color[c], 0.0f), 1.0f);
         break;
     }
     tooltip(p->label);
@@ -183,18 +183,20 @@ static void help_section() {
 
 static void scene_panel(ViewState *state, const ViewFigures *figures) {
     sun_section(state);
-    if (state->scene.preset_count && ImGui::CollapsingHeader("presets", ImGuiTreeNodeFlags_DefaultOpen))
+    if (state->scene.file->preset_count && ImGui::CollapsingHeader("presets", ImGuiTreeNodeFlags_DefaultOpen))
         preset_section(state);
-    if (state->scene.parameter_count && ImGui::CollapsingHeader("scene", ImGuiTreeNodeFlags_DefaultOpen)) {
-        for (int i = 0; i < state->scene.parameter_count; i++) parameter(&state->scene.parameters[i]);
+    if (state->scene.file->parameter_count &&
+        ImGui::CollapsingHeader("scene", ImGuiTreeNodeFlags_DefaultOpen)) {
+        for (int i = 0; i < state->scene.file->parameter_count; i++)
+            parameter(&state->scene.file->parameters[i], state->scene.values.parameters[i]);
     }
     if (ImGui::CollapsingHeader("methods")) method_combos(&state->methods[0]);
     if (ImGui::CollapsingHeader("two sides")) split_section(state, figures);
 }
 
 static const char *panel_title(const ViewState *state) {
-    const char *slash = strrchr(state->file.path, '/');
-    return state->file.title[0] ? state->file.title : slash ? slash + 1 : state->file.path;
+    const char *slash = strrchr(state->file.file->path, '/');
+    return state->file.file->title[0] ? state->file.file->title : slash ? slash + 1 : state->file.file->path;
 }
 
 static void panel_content(ViewState *state, const ViewFigures *figures) {

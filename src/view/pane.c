@@ -9,28 +9,23 @@
 
 enum { COARSEST = 8, MOST_PREVIEW_SAMPLES = 16 };
 
-/* What the renderer is told of the scene: the exposure is none of its business. */
-static Scene without_exposure(const Scene *scene) {
-    Scene copy = *scene;
-    copy.exposure_ev = 0;
-    return copy;
-}
-
 static bool same_methods(const MethodNames *a, const MethodNames *b) {
     return strcmp(a->sky, b->sky) == 0 && strcmp(a->light, b->light) == 0 &&
            strcmp(a->sequence, b->sequence) == 0 && strcmp(a->sun_disk, b->sun_disk) == 0;
 }
 
 static bool same_picture(const Pane *pane, const PaneParams *params) {
-    Scene scene = without_exposure(params->scene);
-    return memcmp(&scene, &pane->scene, sizeof scene) == 0 && same_methods(&pane->methods, params->methods) &&
+    /* The exposure is none of the renderer's business. */
+    Scene scene = *params->scene;
+    scene.values.exposure_ev = pane->scene.values.exposure_ev;
+    return scene_same(&scene, &pane->scene) && same_methods(&pane->methods, params->methods) &&
            pane->width == params->width && pane->height == params->height;
 }
 
 /* The same for every sun: a choice that followed the sun would compile anew as it is dragged. */
 static const char *sky_of(const PaneParams *params) {
-    const Atmosphere *a = &params->scene->atmosphere;
-    if (*params->methods->sky || params->scene->sky[0]) return method_name(params->methods->sky);
+    const Atmosphere *a = &params->scene->values.atmosphere;
+    if (*params->methods->sky || params->scene->file->sky[0]) return method_name(params->methods->sky);
     return a->observer_height_m > a->top_radius_m - a->planet_radius_m ? "gauss:8" : "table";
 }
 
@@ -86,7 +81,9 @@ static void forget_figures(Pane *pane) {
 }
 
 static void remember(Pane *pane, const PaneParams *params, int coarseness) {
-    pane->scene = without_exposure(params->scene);
+    Scene scene = scene_share(params->scene);
+    scene_destroy(&pane->scene);
+    pane->scene = scene;
     pane->methods = *params->methods;
     pane->width = params->width;
     pane->height = params->height;
@@ -135,6 +132,7 @@ void pane_destroy(Pane *pane) {
     renderer_destroy(&pane->renderer);
     film_destroy(&pane->kept);
     noise_destroy(&pane->noise);
+    scene_destroy(&pane->scene);
     *pane = (Pane){0};
 }
 

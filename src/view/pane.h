@@ -26,7 +26,8 @@ typedef struct PaneParams {
 typedef struct Pane {
     Renderer renderer; /* its gl is NULL before the first update */
     Film kept; /* the picture of before, shown as long as the renderer's film is empty; may be empty itself */
-    Scene scene; /* what the renderer was told, with the exposure left out */
+    /* What the renderer was told; owned. */
+    Scene scene;
     MethodNames methods;
     int width, height;        /* of the picture at rest */
     int coarseness;           /* the film has 1 / coarseness of them; 1 at rest */

@@ -78,8 +78,8 @@ bool picture_update(Picture *picture, ViewState *state, Error *refusal, Error *e
     refusal->status = STATUS_DONE;
     if (is_toy(picture))
         return toy_resize(&picture->toy, picture->context, picture->width, picture->height, error);
-    if (picture->wants_time) state->scene.time_s = state->clock_seconds;
-    if (picture->wants_mouse) view_mouse(state, picture->height, state->scene.mouse);
+    if (picture->wants_time) state->scene.values.time_s = state->clock_seconds;
+    if (picture->wants_mouse) view_mouse(state, picture->height, state->scene.values.mouse);
     for (int i = 0; i < side_count(state); i++) {
         if (!update_side(picture, state, i, refusal, error)) return false;
     }
@@ -200,7 +200,7 @@ void picture_watch(Picture *picture, const ViewState *state, Watch *watch) {
                     : renderer_flatten(&params, &source, &error);
     watch_add_file(watch, picture->params->path);
     if (read) watch_add(watch, params.library, &source);
-    if (scene.spheres[0] && scene_sphere_count(&scene) < 0) watch_spheres(watch, &scene);
+    if (scene.file->spheres[0] && scene_sphere_count(&scene) < 0) watch_spheres(watch, &scene);
     picture->wants_time = read && !toy && glsl_source_mentions(&source, "iTime");
     picture->wants_mouse = read && !toy && glsl_source_mentions(&source, "iMouse");
     glsl_source_destroy(&source);
@@ -223,7 +223,7 @@ DisplayParams picture_display(const Picture *picture, const ViewState *state) {
     DisplayParams params = {.width = picture->width,
                             .height = picture->height,
                             .divider = state->divider,
-                            .exposure_ev = state->scene.exposure_ev};
+                            .exposure_ev = state->scene.values.exposure_ev};
     if (is_toy(picture)) {
         params.raw = toy_texture(&picture->toy);
         return params;

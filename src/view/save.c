@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 void save_choose_name(const Scene *scene, char *name, size_t size) {
-    const char *slash = strrchr(scene->path, '/'), *stem = slash ? slash + 1 : scene->path;
+    const char *slash = strrchr(scene->file->path, '/'), *stem = slash ? slash + 1 : scene->file->path;
     char path[512];
     for (int number = 1; number < 100000; number++) {
         snprintf(name, size, "%.*s-%03d", (int)strcspn(stem, "."), stem, number);
@@ -76,10 +76,10 @@ static void describe(const SaveParams *params, const FilmCount *count, Attribute
     describe_picture(list, params->scene, &pane->renderer, params->context);
     if (params->sides[1]) {
         const Renderer *right = &params->sides[1]->renderer;
-        attribute_add(list, "magichour.right",
-                      "sky %s, light %s, sequence %s, sun elevation %.9g azimuth %.9g",
-                      right->sky.choice.text, right->light.text, right->sequence.text,
-                      params->sides[1]->scene.sun_elevation_deg, params->sides[1]->scene.sun_azimuth_deg);
+        attribute_add(
+            list, "magichour.right", "sky %s, light %s, sequence %s, sun elevation %.9g azimuth %.9g",
+            right->sky.choice.text, right->light.text, right->sequence.text,
+            params->sides[1]->scene.values.sun.elevation_deg, params->sides[1]->scene.values.sun.azimuth_deg);
         if (params->difference > 0)
             attribute_add(list, "magichour.difference", "left - right, colours end at %.9g",
                           params->difference);
@@ -113,7 +113,7 @@ static void paint_difference(Image *image, double end) {
 
 bool save_picture(const SaveParams *params, const char *name, bool exr, Error *error) {
     AttributeList attributes = {0};
-    ImageWriteParams write = {.exposure_ev = params->scene->exposure_ev, .attributes = &attributes};
+    ImageWriteParams write = {.exposure_ev = params->scene->values.exposure_ev, .attributes = &attributes};
     Image image;
     FilmCount count;
     if (!film_read(&params->sides[0]->renderer.film, &image, &count, error)) return false;

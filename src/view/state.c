@@ -31,10 +31,7 @@ bool view_is_refusal(const Error *error) {
 
 Scene view_scene(const ViewState *state, int side) {
     Scene scene = state->scene;
-    if (side == 1 && state->own_sun) {
-        scene.sun_elevation_deg = state->own_elevation_deg;
-        scene.sun_azimuth_deg = state->own_azimuth_deg;
-    }
+    if (side == 1 && state->own_sun) scene_set_sun(&scene, state->own_elevation_deg, state->own_azimuth_deg);
     return scene;
 }
 
@@ -42,15 +39,19 @@ void view_set_sun(ViewState *state, int side, double elevation_deg, double azimu
     bool own = side == 1 && state->own_sun;
     double elevation = fmin(fmax(elevation_deg, -90), 90);
     double azimuth = azimuth_deg - 360 * floor(azimuth_deg / 360);
-    *(own ? &state->own_elevation_deg : &state->scene.sun_elevation_deg) = elevation;
-    *(own ? &state->own_azimuth_deg : &state->scene.sun_azimuth_deg) = azimuth;
+    if (own) {
+        state->own_elevation_deg = elevation;
+        state->own_azimuth_deg = azimuth;
+    } else {
+        scene_set_sun(&state->scene, elevation, azimuth);
+    }
     state->playing = false;
 }
 
 void view_own_sun(ViewState *state, bool own) {
     state->own_sun = own;
-    state->own_elevation_deg = state->scene.sun_elevation_deg;
-    state->own_azimuth_deg = state->scene.sun_azimuth_deg;
+    state->own_elevation_deg = state->scene.values.sun.elevation_deg;
+    state->own_azimuth_deg = state->scene.values.sun.azimuth_deg;
 }
 
 void view_mouse(const ViewState *state, int height, double mouse[4]) {
@@ -64,7 +65,7 @@ void view_mouse(const ViewState *state, int height, double mouse[4]) {
 void view_choose_preset(ViewState *state, const char *name) {
     Error error;
     Scene scene = state->scene;
-    scene.exposure_ev = state->file.exposure_ev;
+    scene.values.exposure_ev = state->file.values.exposure_ev;
     state->playing = false;
     if (!scene_choose_preset(&scene, name, &error) || !scene_check(&scene, &error)) {
         view_failure(state, error.text);
@@ -79,22 +80,23 @@ void view_choose_time(ViewState *state, int time) {
         const char *name;
         double elevation_deg, exposure_ev;
     } times[] = {{"noon", 60, 0}, {"afternoon", 30, 0}, {"sunset", 5, 0.5}, {"early-evening", -2, 4}};
-    for (int i = 0; i < state->scene.preset_count; i++) {
-        if (strcmp(state->scene.presets[i].name, times[time].name) == 0) {
+    for (int i = 0; i < state->scene.file->preset_count; i++) {
+        if (strcmp(state->scene.file->presets[i].name, times[time].name) == 0) {
             view_choose_preset(state, times[time].name);
             return;
         }
     }
-    view_set_sun(state, 0, times[time].elevation_deg, state->scene.sun_azimuth_deg);
-    state->scene.exposure_ev = state->file.exposure_ev + times[time].exposure_ev;
+    view_set_sun(state, 0, times[time].elevation_deg, state->scene.values.sun.azimuth_deg);
+    state->scene.values.exposure_ev = state->file.values.exposure_ev + times[time].exposure_ev;
     view_notice(state, "%s", times[time].name);
 }
 
 void view_annotations(const ViewState *state, char *out, size_t size) {
-    const Scene *s = &state->scene;
+    const Viewpoint *camera = &state->scene.values.camera;
+    const Sun *sun = &state->scene.values.sun;
     snprintf(out, size,
              "//@ camera  eye %.6g %.6g %.6g  target %.6g %.6g %.6g  fov %.6g\n"
              "//@ sun     elevation %.6g  azimuth %.6g\n",
-             s->eye[0], s->eye[1], s->eye[2], s->target[0], s->target[1], s->target[2], s->fov_deg,
-             s->sun_elevation_deg, s->sun_azimuth_deg);
+             camera->eye[0], camera->eye[1], camera->eye[2], camera->target[0], camera->target[1],
+             camera->target[2], camera->fov_deg, sun->elevation_deg, sun->azimuth_deg);
 }

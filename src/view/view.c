@@ -55,8 +55,8 @@ static void log_right(const View *view) {
     Scene right = view_scene(&view->state, 1);
     const SideFigures *side = &view->figures.sides[1];
     log_number("difference", view->state.difference ? view->state.difference_percent : 0);
-    log_number("right_elevation", right.sun_elevation_deg);
-    log_number("right_azimuth", right.sun_azimuth_deg);
+    log_number("right_elevation", right.values.sun.elevation_deg);
+    log_number("right_azimuth", right.values.sun.azimuth_deg);
     log_number("right_samples", (double)side->samples);
     log_number("right_seconds", side->seconds);
     log_number("right_error_percent", side->error_percent);
@@ -83,12 +83,12 @@ static void log_frame(const View *view, double latency_s) {
     log_number("latency_ms", 1e3 * latency_s);
     log_number("width", view->window.width);
     log_number("height", view->window.height);
-    log_number("elevation", state->scene.sun_elevation_deg);
-    log_number("azimuth", state->scene.sun_azimuth_deg);
-    log_number("exposure", state->scene.exposure_ev);
-    log_number("eye_x", state->scene.eye[0]);
-    log_number("eye_y", state->scene.eye[1]);
-    log_number("eye_z", state->scene.eye[2]);
+    log_number("elevation", state->scene.values.sun.elevation_deg);
+    log_number("azimuth", state->scene.values.sun.azimuth_deg);
+    log_number("exposure", state->scene.values.exposure_ev);
+    log_number("eye_x", state->scene.values.camera.eye[0]);
+    log_number("eye_y", state->scene.values.camera.eye[1]);
+    log_number("eye_z", state->scene.values.camera.eye[2]);
     log_number("sides", state->split ? 2 : 1);
     log_number("picture", view->picture.pictures);
     log_number("coarseness", side->coarseness);
@@ -103,7 +103,7 @@ static void log_frame(const View *view, double latency_s) {
 }
 
 static void set_title(View *view) {
-    const char *title = view->state.file.title;
+    const char *title = view->state.file.file->title;
     char text[200];
     snprintf(text, sizeof text, "%s - magichour", *title ? title : view->params->path);
     window_set_title(&view->window, text);
@@ -162,6 +162,13 @@ static void save_if_wished(View *view) {
     log_end();
 }
 
+static void advance_day(ViewState *state, double hours) {
+    double elevation, azimuth;
+    day_advance(&state->day, hours);
+    day_sun(&state->day, &elevation, &azimuth);
+    scene_set_sun(&state->scene, elevation, azimuth);
+}
+
 /* Recording: the sun goes on when a frame is done, and the window closes when the day is. */
 static bool record(View *view, Error *error) {
     static const double frames_per_second = 25;
@@ -174,8 +181,7 @@ static bool record(View *view, Error *error) {
     log_begin("recorded");
     log_text("name", name);
     log_end();
-    day_advance(&state->day, step);
-    day_sun(&state->day, &state->scene.sun_elevation_deg, &state->scene.sun_azimuth_deg);
+    advance_day(state, step);
     if (view->recorded * step >= day_length(&state->day)) state->wishes.quit = true;
     return true;
 }
@@ -187,8 +193,7 @@ static void pass_time(View *view) {
     controls_fly(&view->controls, state, passed);
     if (state->clock_running) state->clock_seconds += passed;
     if (!state->playing || view->params->record) return;
-    day_advance(&state->day, passed * state->hours_per_second);
-    day_sun(&state->day, &state->scene.sun_elevation_deg, &state->scene.sun_azimuth_deg);
+    advance_day(state, passed * state->hours_per_second);
 }
 
 static void hear(View *view, double wait_s) {
@@ -252,8 +257,8 @@ static bool turn(View *view, Error *error) {
 static bool open_window(View *view, Error *error) {
     const ViewParams *params = view->params;
     const Scene *scene = &view->state.file;
-    int width = params->width ? params->width : scene->width,
-        height = params->height ? params->height : scene->height;
+    int width = params->width ? params->width : scene->file->width,
+        height = params->height ? params->height : scene->file->height;
     if (!scene_check_size(width, height, error)) return false;
     if (!window_open(&view->window, "magichour", width, height, error)) {
         error_prefix(error, "view needs a display, `magichour render %s -o FILE.png` none; ", params->path);
@@ -274,10 +279,10 @@ static void start_state(ViewState *state, const ViewParams *params) {
     state->divider = 0.5;
     state->difference_percent = 10;
     state->hours_per_second = 1;
-    state->clock_seconds = state->file.time_s;
+    state->clock_seconds = state->file.values.time_s;
     state->overlay = true;
     state->playing = params->record != NULL;
-    state->day = day_through(state->scene.sun_elevation_deg, state->scene.sun_azimuth_deg);
+    state->day = day_through(state->scene.values.sun.elevation_deg, state->scene.values.sun.azimuth_deg);
 }
 
 static void log_start(const View *view, double started) {

@@ -1,0 +1,62 @@
+/* A scene's file: what its annotations say. It does not change once it is read, and is shared by all that use
+ * it. */
+#pragma once
+
+#include "base/error.h"
+#include "scene/hint.h"
+#include "scene/scene_values.h"
+
+typedef enum ParameterType { PARAMETER_SLIDER, PARAMETER_CHECKBOX, PARAMETER_COLOR } ParameterType;
+
+/* The declaration of an annotated uniform. */
+typedef struct Parameter {
+    char name[64];
+    ParameterType type;
+    /* Of a slider. */
+    double min, max;
+    char unit[16], label[96];
+} Parameter;
+
+/* `NAME VALUE` of a preset, applied as --set does. */
+typedef struct Setting {
+    char name[64], value[96];
+} Setting;
+
+typedef struct Preset {
+    char name[64];
+    Setting settings[16];
+    int setting_count;
+    int line;
+} Preset;
+
+enum { SCENE_MOST_SPHERES = 1000000 };
+
+typedef struct SceneFile {
+    /* As it was given; owned. */
+    char *path;
+    char title[128], look[256];
+    /* The picture's, pixels. */
+    int width, height;
+    /* The sky method that the scene asks for; empty if it asks for none. */
+    char sky[64];
+    int sky_line;
+    Parameter parameters[MOST_PARAMETERS];
+    int parameter_count;
+    Preset presets[32];
+    int preset_count;
+    HintList hints[HINT_KINDS];
+    /* For hit_spheres(): how many spheres there are, as a number or a slider's name, or a CSV file that has
+     * them; empty if there are none. */
+    char spheres[256];
+    int spheres_line;
+    /* What the file sets. */
+    SceneValues values;
+    /* References. */
+    int users;
+} SceneFile;
+
+/* One more reference to the same file, to be released. */
+const SceneFile *scene_file_share(const SceneFile *file);
+
+/* The last one frees the file. NULL is allowed. */
+void scene_file_release(const SceneFile *file);
