@@ -9,14 +9,19 @@
 
 enum {
     FIRST_SAMPLES = 4,
-    EVEN_SAMPLES = 8,     /* up to here all tiles get the same, and then what each is worth */
-    CLAIMED_SAMPLES = 16, /* of the tile that has the most: nothing is claimed of fewer, too uncertain */
-    MOST_LEVELS = 24,     /* of doublings to look ahead */
-    MEASURED_SHARE = 8    /* of evenly spread samples, what comes before this part of them is not measured */
+    /* All tiles get this number of samples before the plan begins. */
+    EVEN_SAMPLES = 8,
+    /* No error is reported before one tile has this number of samples, because the estimate would be too
+     * uncertain. */
+    CLAIMED_SAMPLES = 16,
+    /* The plan looks this number of doublings ahead. */
+    MOST_LEVELS = 24,
+    /* With evenly spread samples, the noise is not measured before this part of them (an eighth) is taken. */
+    MEASURED_SHARE = 8
 };
 
-/* A tile is planned with no less than this share of the mean of the tiles around it: what is rare, such as a
- * caustic's specks, a neighbour may have met and the tile itself not yet. */
+/* The plan takes at least this share of the mean error of the tiles around a tile. Rare light, such as the
+ * specks of a caustic, may have been found in a neighbour and not yet in the tile itself. */
 static const double neighbours_share = 0.5;
 
 static int count_tiles(const Adaptive *adaptive) {
@@ -46,7 +51,7 @@ static double tile_error(const Noise *noise, const NoiseTile *tile) {
     return noise_of_tile(noise, tile, (double)tile->samples);
 }
 
-/* The tile's squared error to plan with. */
+/* Returns the squared error of a tile that the plan uses. */
 static double guarded_error(const Noise *noise, int index) {
     int column = index % noise->columns, row = index / noise->columns;
     double around = 0, pixels = 0;
@@ -54,7 +59,7 @@ static double guarded_error(const Noise *noise, int index) {
         for (int x = column - 1; x <= column + 1; x++) {
             if (x < 0 || y < 0 || x >= noise->columns || y >= noise->rows) continue;
             const NoiseTile *tile = &noise->tiles[y * noise->columns + x];
-            /* As if it had this one's samples. */
+            /* The neighbour's error is scaled to the number of samples of tile `index`. */
             around += tile_error(noise, tile) * (double)tile->samples / (double)noise->tiles[index].samples;
             pixels += tile_pixels(tile);
         }
@@ -63,7 +68,8 @@ static double guarded_error(const Noise *noise, int index) {
     return fmax(tile_error(noise, tile), neighbours_share * around / pixels * tile_pixels(tile));
 }
 
-/* Doublings that are worth `level` squared error a sample to a tile of that error. */
+/* Returns how often a tile is to be doubled, if it has the squared error `error` and each doubling must
+ * remove at least `level` squared error a sample. */
 static int doublings(const Noise *noise, const NoiseTile *tile, double error, double level) {
     double cost = tile_pixels(tile) * (double)tile->samples;
     int count = 0;
@@ -75,8 +81,9 @@ static int doublings(const Noise *noise, const NoiseTile *tile, double error, do
     return count;
 }
 
-/* The squared error of the picture once all is done that is worth `level`. Which tiles double is decided with
- * `guarded` errors, and what that brings is reckoned with their own, as it will be when it is measured. */
+/* Returns the squared error of the picture after all doublings that are worth `level`. The `guarded` errors
+ * decide which tiles are doubled. The result is computed from the tiles' own errors, as it will be measured.
+ */
 static double planned_error(const Noise *noise, const double *guarded, double level) {
     double sum = 0;
     for (int i = 0; i < noise->columns * noise->rows; i++) {
@@ -86,13 +93,14 @@ static double planned_error(const Noise *noise, const double *guarded, double le
     return sum;
 }
 
-/* Chooses the tiles that are to double; how many. */
+/* Chooses the tiles that are to be doubled, and returns their number. */
 static int choose(Adaptive *adaptive, double percent) {
     const Noise *noise = &adaptive->noise;
     int count = 0, tiles = count_tiles(adaptive);
     double goal = noise_goal(noise, percent);
     double *guarded = memory_get((size_t)tiles, sizeof *guarded);
-    double low = 1e-40, high = 1e40; /* of the level */
+    /* Bounds of the level. */
+    double low = 1e-40, high = 1e40;
     for (int i = 0; i < tiles; i++) guarded[i] = guarded_error(noise, i);
     for (int i = 0; i < 100; i++) {
         double level = sqrt(low * high);
@@ -111,7 +119,8 @@ static int choose(Adaptive *adaptive, double percent) {
     return count;
 }
 
-/* The tiles that want from `least` to `most` samples, runs of neighbours in a row as one. */
+/* Lists the tiles that are still to get from `least` to `most` samples as regions, and returns the number of
+ * regions. Neighbours in a row are one region. */
 static int make_regions(Adaptive *adaptive, uint64_t least, uint64_t most) {
     const Noise *noise = &adaptive->noise;
     int count = 0, run = -1;
@@ -130,7 +139,7 @@ static int make_regions(Adaptive *adaptive, uint64_t least, uint64_t most) {
     return count;
 }
 
-/* The fewest samples that any tile still wants; UINT64_MAX where none wants any. */
+/* Returns the least number of samples that a tile is still to get, or UINT64_MAX if all tiles are done. */
 static uint64_t fewest_wanted(const Adaptive *adaptive) {
     uint64_t fewest = UINT64_MAX;
     for (int i = 0; i < count_tiles(adaptive); i++) {
@@ -139,7 +148,7 @@ static uint64_t fewest_wanted(const Adaptive *adaptive) {
     return fewest;
 }
 
-/* Writes down that the tiles that want samples got so many. */
+/* Notes that all tiles that are not done got `taken` samples. */
 static void count_samples(Adaptive *adaptive, uint64_t taken) {
     for (int i = 0; i < count_tiles(adaptive); i++) {
         NoiseTile *tile = &adaptive->noise.tiles[i];
@@ -150,13 +159,13 @@ static void count_samples(Adaptive *adaptive, uint64_t taken) {
     }
 }
 
-/* Doubles the chosen tiles, group by group for all that want one still: one draw of many tiles keeps all
- * cores at work, where one for each number of samples would not. */
+/* Doubles the chosen tiles. Each draw gives a group of samples to all tiles that are not done. One draw of
+ * many tiles keeps all cores busy; separate draws for each number of samples would not. */
 static bool double_tiles(Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), Error *error) {
     const Rectangle all = {0, 0, adaptive->noise.width, adaptive->noise.height};
     uint64_t fewest;
     film_keep(&renderer->film, &all, 1);
-    /* Few small tiles are drawn in one piece, within which nobody asks `stop`. */
+    /* `stop` is called here too, because a few small tiles are drawn in one piece. */
     while ((fewest = fewest_wanted(adaptive)) < UINT64_MAX && clock_seconds() < adaptive->deadline &&
            !(stop && stop())) {
         unsigned group = fewest < renderer->group_samples ? (unsigned)fewest : renderer->group_samples;
@@ -164,21 +173,22 @@ static bool double_tiles(Adaptive *adaptive, Renderer *renderer, bool (*stop)(vo
         int count = make_regions(adaptive, 1, UINT64_MAX);
         if (!renderer_refine(renderer, adaptive->regions, count, group, stop, &stopped, error)) return false;
         if (stopped) break;
-        count = make_regions(adaptive, group, group); /* those have all that they wanted */
+        /* These tiles are done. */
+        count = make_regions(adaptive, group, group);
         film_keep(&renderer->film, adaptive->regions, count);
         count_samples(adaptive, group);
     }
     return true;
 }
 
-/* All tiles have what the film has. */
+/* Notes that all tiles have the film's number of samples. */
 static void set_samples(Adaptive *adaptive, const Film *film) {
     for (int i = 0; i < count_tiles(adaptive); i++) adaptive->noise.tiles[i].samples = film->samples;
     adaptive->paths = film->samples * (uint64_t)film->width * (uint64_t)film->height;
     adaptive->least = adaptive->most = film->samples;
 }
 
-/* The same for all tiles. */
+/* Gives the same number of samples to all tiles. */
 static bool sample_evenly(Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), Error *error) {
     Film *film = &renderer->film;
     uint64_t before = film->samples, wanted = before ? before : FIRST_SAMPLES;
@@ -211,8 +221,8 @@ static bool measure(Adaptive *adaptive, const Renderer *renderer, Error *error) 
 
 bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double percent, bool (*stop)(void),
                     Error *error) {
-    /* Where no tile is worth more so early, as in a picture of the sky alone, all get as many as are claimed
-     * of. */
+    /* If no tile is worth a doubling so early, as in a picture of the sky alone, all tiles get samples until
+     * an error can be reported. */
     bool even = renderer->film.samples < EVEN_SAMPLES ||
                 (!choose(adaptive, percent) && adaptive->most < CLAIMED_SAMPLES);
     if (even) {
@@ -235,6 +245,7 @@ bool adaptive_pass(Adaptive *adaptive, Renderer *renderer, uint64_t samples, boo
 }
 
 double adaptive_percent(const Adaptive *adaptive) {
-    /* What a few samples have not met, such as a lamp that is found by chance, would pass for done. */
+    /* Light that few samples find, such as that of a lamp without a hint, would be missed by an earlier
+     * estimate. */
     return adaptive->most < CLAIMED_SAMPLES ? INFINITY : noise_percent(&adaptive->noise);
 }

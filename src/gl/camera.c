@@ -17,7 +17,8 @@ Camera camera_of(const Scene *scene, int width, int height) {
     memcpy(camera.eye, from->eye, sizeof camera.eye);
     vec3_subtract(from->target, from->eye, camera.forward);
     scale_to(camera.forward, 1);
-    if (fabs(camera.forward[1]) > 1 - 1e-12) { /* straight up or down: the picture's top is +z */
+    if (fabs(camera.forward[1]) > 1 - 1e-12) {
+        /* The camera looks straight up or down, so the picture's top is +z. */
         world_up[1] = 0;
         world_up[2] = 1;
     }
@@ -47,8 +48,8 @@ bool camera_project(const Camera *camera, const double direction[3], double out[
     return true;
 }
 
-/* On the plane at distance 1 ahead the cone is q(x, y) = (s . (x, y, 1))^2 - cos^2 (x^2 + y^2 + 1) >= 0, with
- * s its axis in the camera's frame: an ellipse where the cone stays ahead. */
+/* On the plane at distance 1 ahead, the cone is where q(x, y) = (s . (x, y, 1))^2 - cos^2 (x^2 + y^2 + 1) >=
+ * 0. Here s is the cone's axis in the camera's frame. This is an ellipse if all of the cone is ahead. */
 bool camera_cone(const Camera *camera, const double axis[3], double half_angle, Ellipse *ellipse) {
     double width = vec3_length(camera->right), height = vec3_length(camera->up);
     double s[3] = {vec3_dot(axis, camera->right) / width, vec3_dot(axis, camera->up) / height,
@@ -59,8 +60,8 @@ bool camera_cone(const Camera *camera, const double axis[3], double half_angle, 
     double x = (c * s[0] - b * s[1]) * s[2] / determinant, y = (a * s[1] - b * s[0]) * s[2] / determinant;
     double ahead = s[0] * x + s[1] * y + s[2], top = ahead * ahead - cos2 * (x * x + y * y + 1);
     if (!(determinant > 0) || !(top > 0)) return false;
-    /* Cholesky's factor of the form over its value at the centre, transposed; then from the plane to pixels,
-       whose y points down. */
+    /* `shape` is the transposed Cholesky factor of the quadratic form, which is divided by its value at the
+     * centre, and is then converted from the plane to pixels. The y of pixels points down. */
     double l00 = sqrt(a / top), l10 = b / top / l00, l11 = sqrt(fmax(c / top - l10 * l10, 0));
     double pixels_x = camera->width / (2 * width), pixels_y = camera->height / (2 * height);
     *ellipse = (Ellipse){{camera->width / 2.0 + x * pixels_x, camera->height / 2.0 - y * pixels_y},
@@ -81,8 +82,8 @@ Rectangle camera_cone_rectangle(const Camera *camera, const double axis[3], doub
         bool behind = vec3_dot(axis, camera->forward) <= -sin(half_angle);
         return behind ? (Rectangle){0} : (Rectangle){0, 0, camera->width, camera->height};
     }
-    /* The ellipse is centre + inverse(shape) of the unit circle; its box is as wide as the inverse's rows are
-     * long. */
+    /* The ellipse is centre + inverse(shape) * (unit circle). Half the width of its box is the length of the
+     * first row of the inverse, and half the height is the length of the second. */
     double i11 = 1 / e.shape[1][1], i00 = 1 / e.shape[0][0], i01 = -e.shape[0][1] * i00 * i11;
     double half_width = hypot(i00, i01), half_height = fabs(i11);
     return clip(camera, e.centre[0] - half_width, e.centre[1] - half_height, e.centre[0] + half_width,

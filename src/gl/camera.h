@@ -1,5 +1,5 @@
-/* The camera of a picture: what pass/camera.glsl makes its rays from, and where directions fall in the
- * picture. */
+/* The camera of a picture. It gives pass/camera.glsl what the rays are made from, and finds where a direction
+ * is in the picture. */
 #pragma once
 
 #include "base/rectangle.h"
@@ -7,26 +7,30 @@
 #include "scene/scene.h"
 
 typedef struct Camera {
-    int width, height; /* of the picture, pixels */
-    double eye[3], forward[3], right[3],
-        up[3]; /* right and up reach the picture's edges at distance 1 ahead */
+    /* The picture's size in pixels. */
+    int width, height;
+    /* `right` and `up` lead from the middle of the picture to its edges, in the plane at distance 1 ahead. */
+    double eye[3], forward[3], right[3], up[3];
 } Camera;
 
 Camera camera_of(const Scene *scene, int width, int height);
 
-/* Tells the program in use. */
+/* Sets the camera's uniforms in `program`, which must be in use. */
 void camera_set(const Camera *camera, const Program *program);
 
-/* Where a direction falls, in pixels from the top left corner, in out[0] and out[1]; false behind the camera.
- */
+/* Sets `out` to the place of a direction in the picture, in pixels from the top left corner. Returns false if
+ * the direction is behind the camera. */
 bool camera_project(const Camera *camera, const double direction[3], double out[2]);
 
-/* A cone of directions as an ellipse in the picture: w = shape (pixel - centre) has length 1 on its edge.
- * False where the cone reaches beside or behind the camera and is none. */
+/* An ellipse in the picture. On its edge, the vector shape * (pixel - centre) has length 1. */
 typedef struct Ellipse {
     double centre[2], shape[2][2];
 } Ellipse;
+
+/* Sets `ellipse` to the image of a cone of directions. Returns false if the cone reaches beside or behind the
+ * camera; its image is then no ellipse. */
 bool camera_cone(const Camera *camera, const double axis[3], double half_angle, Ellipse *ellipse);
 
-/* The pixels that the cone may touch: all of the picture's where it is no ellipse but may be seen. */
+/* Returns the pixels that a cone of directions may touch. If its image is no ellipse but may be seen, these
+ * are all pixels of the picture. */
 Rectangle camera_cone_rectangle(const Camera *camera, const double axis[3], double half_angle);

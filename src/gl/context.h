@@ -1,16 +1,19 @@
-/* An OpenGL 3.3 core context without a visible window, from the first backend that gives one.
- * It is current on the calling thread from context_open to context_close; one at a time. */
+/* An OpenGL 3.3 core context without a visible window, from the first backend that has one.
+ *
+ * The context is current on the calling thread from context_open() to context_close(). There may be one at a
+ * time. */
 #pragma once
 
 #include "gl/gl_api.h"
 
 typedef struct Context Context;
 
-/* A way to a context: functions in a file of its own, listed in one table (context.c). */
+/* A way to get a context. Each backend has a file of its own; context.c lists them in a table. */
 typedef struct Backend {
-    const char *name; /* as --backend takes it */
-    /* Makes a context, makes it current, sets `detail` and `state`, and gives the getproc.
-     * Fails with STATUS_NO_GL and the reason; close() then cleans up what was made. */
+    /* The name that --backend takes. */
+    const char *name;
+    /* Makes a context, makes it current, sets `detail` and `state`, and sets *getproc.
+     * Fails with STATUS_NO_GL and the reason. The caller then calls close(), which frees what was made. */
     bool (*open)(Context *context, GlProc (**getproc)(const char *), Error *error);
     void (*close)(Context *context);
 } Backend;
@@ -18,24 +21,28 @@ typedef struct Backend {
 struct Context {
     GlApi gl;
     const Backend *backend;
-    void *state;        /* the backend's own */
-    char detail[160];   /* which device or platform of the backend */
-    char renderer[160]; /* GL_RENDERER */
-    char version[160];  /* GL_VERSION */
+    /* Belongs to the backend. */
+    void *state;
+    /* Names the device or platform of the backend. */
+    char detail[160];
+    /* GL_RENDERER and GL_VERSION. */
+    char renderer[160];
+    char version[160];
     int max_texture_size;
-    GLuint vertex_array; /* empty: every pass is one triangle made from gl_VertexID */
+    /* Has no attributes: every pass draws one triangle that is made from gl_VertexID. */
+    GLuint vertex_array;
 };
 
-/* `name` is "auto" (NULL also) or a backend's. STATUS_NO_GL names every reason; STATUS_USAGE an unknown name.
- */
+/* Opens a context. `name` is a backend's name, or "auto" or NULL for the first that works. Fails with
+ * STATUS_NO_GL and the reason of every backend, or with STATUS_USAGE if the name is unknown. */
 MUST_CHECK bool context_open(Context *context, const char *name, Error *error);
 
-/* For a context that the caller has made and made current, a window's: fills the table and describes it. To
- * be closed by context_close before the caller destroys it. */
+/* Fills `context` for a context that the caller has made and made current, such as a window's. Call
+ * context_close() before you destroy that context. */
 MUST_CHECK bool context_adopt(Context *context, GlProc (*getproc)(const char *), Error *error);
 void context_close(Context *context);
 
-/* The table, in the order in which auto tries it; NULL past the end. */
+/* Returns a backend of the table, in the order in which "auto" tries them, or NULL past the end. */
 const Backend *context_backend(int index);
 
 extern const Backend backend_egl, backend_osmesa, backend_glfw;

@@ -1,6 +1,6 @@
-/* EGL without a display: first each EGL device (the way that works on NVIDIA), hardware before software, then
- * Mesa's surfaceless platform. The library is opened at run time, so that a machine without it runs the
- * others. */
+/* EGL without a display. It tries each EGL device, hardware before software, and then Mesa's surfaceless
+ * platform. EGL devices are what works on NVIDIA. The library is opened at run time, so that a machine
+ * without it can use the other backends. */
 #include "base/text.h"
 #include "gl/context.h"
 
@@ -30,8 +30,10 @@ typedef struct Egl {
     EGL_FUNCTIONS(X)
 #undef X
     PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display;
-    PFNEGLQUERYDEVICESEXTPROC query_devices;            /* NULL without EGL_EXT_device_enumeration */
-    PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string; /* NULL without EGL_EXT_device_query */
+    /* NULL without the extension EGL_EXT_device_enumeration. */
+    PFNEGLQUERYDEVICESEXTPROC query_devices;
+    /* NULL without the extension EGL_EXT_device_query. */
+    PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string;
     EGLDisplay display;
     EGLContext context;
 } Egl;
@@ -60,7 +62,8 @@ static bool load(Egl *egl, Error *error) {
     return true;
 }
 
-/* A current context on this display, or the reason against it and nothing left behind. */
+/* Makes a context on this display and makes it current. If that fails, everything is freed and `error` has
+ * the reason. */
 static bool open_display(Egl *egl, EGLenum platform, void *native, Error *error) {
     static const EGLint config_attributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
                                                EGL_NONE};
@@ -154,7 +157,8 @@ static void egl_close(Context *context) {
         egl->Terminate(egl->display);
         egl->ReleaseThread();
     }
-    /* The library stays open: drivers leave thread-local destructors behind that must not be unmapped. */
+    /* The library stays open, because drivers leave thread-local destructors behind that must not be
+     * unmapped. */
     free(egl);
 }
 

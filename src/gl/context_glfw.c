@@ -1,4 +1,5 @@
-/* A hidden GLFW window: the last resort offscreen, and what a machine with nothing but a display has. */
+/* A hidden GLFW window. This backend is tried last. It serves machines that have a display and no other way.
+ */
 #include "gl/context.h"
 
 #define GLFW_INCLUDE_NONE

@@ -1,6 +1,6 @@
-/* OSMesa: Mesa rendering into plain memory. Mesa 25.1 dropped it, so it is opened at run time and the few
- * names that its header would give stand here. MAGICHOUR_OSMESA in the environment names another library
- * file. */
+/* OSMesa: Mesa renders into plain memory. Mesa 25.1 dropped it. The library is therefore opened at run time,
+ * and this file declares the few names that its header would have. The environment variable MAGICHOUR_OSMESA
+ * names another library file. */
 #include "base/text.h"
 #include "gl/context.h"
 
@@ -24,7 +24,8 @@ typedef struct OsMesa {
     void (*destroy)(void *context);
     GlProc (*getproc)(const char *name);
     void *context;
-    GLubyte buffer[4]; /* a drawable is required; all drawing goes to framebuffer objects */
+    /* OSMesa requires a drawable. All drawing goes to framebuffer objects. */
+    GLubyte buffer[4];
 } OsMesa;
 
 static bool open_library(OsMesa *mesa, char *name, size_t size, Error *error) {
@@ -79,7 +80,8 @@ static void osmesa_close(Context *context) {
         mesa->make_current(NULL, NULL, GL_UNSIGNED_BYTE, 0, 0);
         mesa->destroy(mesa->context);
     }
-    free(mesa); /* the library stays open: see context_egl.c */
+    /* The library stays open: see context_egl.c. */
+    free(mesa);
 }
 
 const Backend backend_osmesa = {.name = "osmesa", .open = osmesa_open, .close = osmesa_close};

@@ -39,7 +39,8 @@ static const char *error_words(GLenum code) {
 bool gl_check(const GlApi *gl, const char *what, Error *error) {
     GLenum code = gl->GetError();
     if (code == GL_NO_ERROR) return true;
+    /* A lost context reports errors for ever, so the number of calls is limited. */
     for (int i = 0; i < 16 && gl->GetError() != GL_NO_ERROR; i++) {
-    } /* a lost context reports for ever */
+    }
     return error_set(error, STATUS_FAILURE, "%s: OpenGL error 0x%04x (%s)", what, code, error_words(code));
 }

@@ -1,6 +1,7 @@
-/* The OpenGL functions in use, one table for every backend: filled through the context's own getproc, because
- * a loader library that guesses the window system aborts on an OSMesa context. Call them as
- * gl->DrawArrays(...). */
+/* A table of the OpenGL functions in use. Call them as gl->DrawArrays(...).
+ *
+ * The table is filled through the context's own getproc. A loader library would have to guess the window
+ * system, and aborts on an OSMesa context. */
 #pragma once
 
 #include "base/error.h"
@@ -67,8 +68,8 @@ typedef struct GlApi {
 
 typedef void (*GlProc)(void);
 
-/* Fills the table; false (STATUS_NO_GL) if a function is missing. */
+/* Fills the table. Fails with STATUS_NO_GL if a function is missing. */
 MUST_CHECK bool gl_api_load(GlApi *gl, GlProc (*getproc)(const char *name), Error *error);
 
-/* Takes GL's pending error, if any, as a failure: "WHAT: OpenGL error 0x0505 (out of memory)". */
+/* Fails with "WHAT: OpenGL error 0x0505 (out of memory)" if OpenGL has an error pending. */
 MUST_CHECK bool gl_check(const GlApi *gl, const char *what, Error *error);

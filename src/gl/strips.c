@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-/* Rows of a region of that width for so many pixels: at least one, and a power of two, which drivers' tiles
- * like. */
+/* Returns the number of rows that have about `pixels` pixels. It is at least one, and a power of two, because
+ * that suits the tiles of drivers. */
 static int strip_rows(double pixels, int width, int rows_left) {
     int rows = 1;
     while (rows < rows_left && 2.0 * rows * width < pixels) rows *= 2;

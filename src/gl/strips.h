@@ -1,16 +1,17 @@
-/* A pass drawn in pieces, each about a tenth of a second's work, so that it can be stopped between them and
- * no driver takes a draw for hung. */
+/* Draws a pass in pieces that take about a tenth of a second each. The pass can be stopped between pieces,
+ * and no driver believes that a draw hangs. */
 #pragma once
 
 #include "gl/camera.h"
 
-/* Draws `program`, which is in use, on these regions of the bound framebuffer, and waits for it.
- * `pixels_per_second` is a guess, and becomes what was measured. `stop` (may be NULL) is asked between
- * pieces; whether the end was reached. */
+/* Draws `program`, which must be in use, on these regions of the bound framebuffer, and waits until it is
+ * done. `pixels_per_second` is a guess, and is set to the measured speed. `stop` may be NULL; it is called
+ * between pieces. Returns false if `stop` returned true before the end. */
 bool strips_draw(const Program *program, const Rectangle *regions, int count, double *pixels_per_second,
                  bool (*stop)(void));
 
-/* Draws the rows of [0, width) x [0, height) from *row on for about `seconds`, at least one; *row becomes the
- * next. In strips of a third of the time, as some rows of a picture take several times as long as others. */
+/* Draws rows of [0, width) x [0, height) for about `seconds`, from *row on and at least one row. Sets *row to
+ * the next row. A strip takes about a third of the time, because some rows of a picture take several times as
+ * long as others. */
 void strips_draw_for(const Program *program, int width, int height, int *row, double *pixels_per_second,
                      double seconds, bool (*stop)(void));
