@@ -1,4 +1,4 @@
-/* The three charts, each measured on this machine into a CSV and drawn from it:
+/* The three charts. Each is measured on this machine, written into a CSV, and drawn from the CSV:
  *
  *   chart_paths  seconds against relRMSE of a scene's picture, for sky, light and sequence methods
  *   chart_sky    nanoseconds of a sky's lookup against the error of its radiance
@@ -11,21 +11,28 @@
 
 typedef struct ChartParams {
     const Context *context;
-    RenderParams
-        picture; /* its methods, seed and samples are the charts' to choose, auto's error is that below */
-    const char *folder;   /* there already */
-    const char *identity; /* lines that start with #, before those that a chart adds */
-    double seconds;       /* to measure in, about; charts that are there already take none */
-    double error_percent; /* where auto's choice is marked */
+    /* The picture. The charts choose its methods, seed and samples. */
+    RenderParams picture;
+    /* The folder for the results. It exists. */
+    const char *folder;
+    /* Lines that start with #. A chart adds lines of its own behind them. */
+    const char *identity;
+    /* About how long to measure. A chart that is complete already takes no time. */
+    double seconds;
+    /* The choice of auto is marked at this error. */
+    double error_percent;
     Monitor monitor;
-    Text *said; /* findings, a line each; what was set aside, too */
+    /* Gets the findings, and the names of files that were set aside, a line each. */
+    Text *said;
 } ChartParams;
 
-/* A chart that the monitor stopped has its rows so far in the CSV, and draws nothing. */
+/* If the monitor stops a chart, the rows so far stay in the CSV, and nothing is drawn. */
 MUST_CHECK bool chart_paths(const ChartParams *params, Error *error);
 MUST_CHECK bool chart_sky(const ChartParams *params, Error *error);
 MUST_CHECK bool chart_scale(const ChartParams *params, Error *error);
 
-/* What the charts share: "FOLDER/NAME", to be freed; and "512x512, sun at 30", for titles. */
+/* Returns "FOLDER/NAME", to be freed. */
 char *chart_path(const ChartParams *params, const char *name);
+
+/* Prints the picture in words for titles: "512x512, sun at 30". */
 void chart_describe(const ChartParams *params, Text *out);

@@ -11,16 +11,18 @@
 
 enum { MOST_CURVES = 24, PANEL_LIGHTS = 1, PANEL_SKIES = 2 };
 
-/* Of the time. */
+/* Shares of the time. */
 static const double reference_share = 0.3, timing_share = 0.3;
-/* A curve ends below so many times the reference's own noise, which makes 8 % of it there, and is
- * taken off. */
+
+/* A curve ends below this many times the reference's own noise. There, the noise makes up 8 % of the error,
+ * and is subtracted. */
 static const double least_over_reference = 2.5;
 
 /* A curve as it is drawn. */
 typedef struct Drawn {
     Combination combination;
-    int panels; /* in which it is */
+    /* The panels that show the curve. */
+    int panels;
     int color;
     PlotMarker marker;
     PlotLine line;
@@ -41,7 +43,7 @@ static void add(Paths *paths, const Drawn *curve) {
     if (paths->count < MOST_CURVES) paths->curves[paths->count++] = *curve;
 }
 
-/* Which sky the scene gets if none is asked for, and whether it is one that sums along the ray. */
+/* Says whether the sky that the scene gets by default is one that integrates along the ray. */
 static bool sky_integrates(const RenderParams *picture) {
     MethodChoice choice;
     Error ignored;
@@ -50,9 +52,8 @@ static bool sky_integrates(const RenderParams *picture) {
             choice.method->integrates);
 }
 
-/* One light under auto's sky, by adaptive sampling and evenly: of the second the other sequences too where
- * `all` are wanted.
- */
+/* Adds a light method with the sky that auto takes: once with adaptive and once with even sampling. If `all`
+ * is set, even sampling is added for the other sequences too. */
 static void add_light(Paths *paths, const char *light, int color, bool all) {
     Drawn drawn = {.combination = {NULL, light, "sobol", true},
                    .panels = PANEL_LIGHTS,
@@ -72,8 +73,8 @@ static void add_light(Paths *paths, const char *light, int color, bool all) {
     }
 }
 
-/* The first curve is what `render` does by itself. `--light paper` is left out: it makes a picture of its
- * own. */
+/* The first curve is what `render` does by default. `--light paper` is left out, because it converges to a
+ * different picture. */
 static void choose_curves(Paths *paths) {
     static const char *const skies[] = {NULL,       "gauss:4",    "gauss:6",    "gauss:8",
                                         "gauss:12", "paper:16x4", "paper:64x16"};
@@ -141,7 +142,8 @@ static bool get_reference(Paths *paths, Error *error) {
     return ok;
 }
 
-/* Whether another of the curves before is the same combination, as auto's choice is one of the others. */
+/* Says whether an earlier curve has the same combination. This happens because auto's choice is one of the
+ * others. */
 static bool is_doubled(const Paths *paths, int at) {
     for (int i = 0; i < at; i++) {
         if (paths->curves[i].curve.open &&
@@ -164,7 +166,8 @@ static bool open_curves(Paths *paths, Error *error) {
     return true;
 }
 
-/* In turns, once at least; those whose share of the time is spent wait. */
+/* Times the curves in alternation, each at least once. A curve that has used its share of the time is
+ * skipped. */
 static bool time_curves(Paths *paths, const CurveLimits *limits, Error *error) {
     const ChartParams *params = paths->params;
     double share = timing_share * params->seconds / paths->count;
@@ -185,7 +188,7 @@ static bool time_curves(Paths *paths, const CurveLimits *limits, Error *error) {
     return true;
 }
 
-/* The reference's, judged as the curves are. */
+/* Returns the reference's noise, measured in the same way as the errors of the curves. */
 static double noise_of(const Paths *paths) {
     const Reference *reference = &paths->reference;
     return paths->curves[0].curve.trimmed ? reference->trimmed_percent : reference->error_percent;
@@ -195,7 +198,7 @@ static bool measure(Paths *paths, Error *error) {
     const ChartParams *params = paths->params;
     double before = reference_share + timing_share, each = (1 - before) / paths->count;
     if (!open_curves(paths, error)) return false;
-    /* The points of a curve take twice the time of the last. */
+    /* All points of a curve together take twice the time of the last one. */
     CurveLimits limits = {each * params->seconds / 2, least_over_reference * noise_of(paths)};
     if (!time_curves(paths, &limits, error)) return false;
     for (int i = 0; i < paths->count && !monitor_stopped(&params->monitor); i++) {
@@ -255,7 +258,7 @@ static void draw_panel(const Paths *paths, Plot *plot, int which, const char *ti
     plot->panel_count += panel->series_count > 0;
 }
 
-/* When the first of the curves reaches the error, and which. */
+/* Returns the time at which the first of the curves reaches the error, and sets `first` to that curve. */
 static double first_at(const Paths *paths, double percent, const Drawn **first) {
     double least = INFINITY;
     for (int i = 0; i < paths->count; i++) {
@@ -282,7 +285,8 @@ static void say_auto(const Paths *paths, const Drawn *automatic, const Drawn *fi
     text_print(said, "\n");
 }
 
-/* Rings auto's curve where it has the error asked for, or at its end; says how far that is from the front. */
+/* Draws a ring where auto's curve reaches the target error, or at the curve's end. Says how far this point is
+ * from the front. */
 static void mark_auto(const Paths *paths, Plot *plot) {
     const Drawn *automatic = &paths->curves[0], *first = automatic;
     double percent = paths->params->error_percent;

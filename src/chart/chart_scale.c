@@ -21,8 +21,8 @@ static const double turn_seconds = 0.1;
 
 typedef enum What { PIXELS, SAMPLE_COUNT, DEPTH, CALLS, SET, WHATS } What;
 
-/* What grows, the words before its slope, and by which steps: sides of square pictures, samples, hits,
- * spheres. */
+/* The sweeps: what grows, the words before its slope, and its steps. The steps are sides of square pictures,
+ * samples, hits, or spheres. */
 static const struct {
     const char *name, *label;
     int panel;
@@ -37,7 +37,8 @@ static const struct {
 
 static const struct {
     const char *title, *x_label;
-    bool proportional; /* whether it should be */
+    /* Whether the time should be proportional to x. */
+    bool proportional;
 } panels[] = {
     {"Picture size", "pixels", true},
     {"Samples", "samples a pixel", true},
@@ -46,11 +47,12 @@ static const struct {
 };
 enum { PANELS = sizeof panels / sizeof *panels };
 
-/* One point: a picture that is rendered again and again. */
+/* One point of a sweep: a picture that is rendered again and again. */
 typedef struct Step {
     double x;
     uint64_t samples;
-    Scene scene; /* of the fields; the scene's own steps borrow the chart's */
+    /* The scene of a field. Steps of the user's scene borrow the chart's scene instead. */
+    Scene scene;
     bool own_scene, open;
     RenderParams params;
     Renderer renderer;
@@ -62,7 +64,7 @@ typedef struct Scale {
     Ledger ledger;
 } Scale;
 
-/* Reads a field's scene; its file is there only while it is needed. */
+/* Writes and reads a field's scene. Its file is deleted as soon as it is not needed any more. */
 static bool write_field(const Scale *scale, Step *step, What what, int count, Error *error) {
     Text text = {0};
     char *path = chart_path(scale->params, "field.glsl");
@@ -89,7 +91,7 @@ static bool open_step(const Scale *scale, Step *step, What what, int value, Erro
         step->params.max_hits = 0;
         step->params.sun_disk = NULL;
     }
-    /* The same methods at every size. */
+    /* With this, auto takes the same methods at every size. */
     step->params.samples = 0;
     step->open = renderer_create(&step->renderer, params->context, &step->params, error) &&
                  renderer_pass(&step->renderer, 1, NULL, error);
@@ -115,7 +117,8 @@ static bool time_once(Step *step, const Monitor *monitor, Error *error) {
     return true;
 }
 
-/* Short ones several times, so that small pictures are known as well as large ones. */
+/* Times a step. Short steps are timed several times, so that the times of small pictures are as good as those
+ * of large ones. */
 static bool time_step(Step *step, const Monitor *monitor, Error *error) {
     double start = clock_seconds();
     if (!renderer_use(&step->renderer, step->params.scene, error)) return false;
@@ -125,7 +128,7 @@ static bool time_step(Step *step, const Monitor *monitor, Error *error) {
     return true;
 }
 
-/* All steps of a sweep in turns, at least twice: the quickest of each. */
+/* Times all steps of a sweep in alternation, at least twice, and keeps the quickest time of each. */
 static bool time_sweep(Step *steps, int count, double seconds, const Monitor *monitor, const char *words,
                        Error *error) {
     double start = clock_seconds(), spent = 0;
@@ -185,7 +188,7 @@ static bool measure(Scale *scale, What what, Error *error) {
     return ok;
 }
 
-/* The y at this x; 0 where it was not measured. */
+/* Returns the y for this x, or 0 if it was not measured. */
 static double value_at(const double *x, const double *y, int count, double wanted) {
     for (int i = 0; i < count; i++) {
         if (x[i] == wanted) return y[i];

@@ -16,13 +16,18 @@
 
 enum { DIRECTIONS = 512, TIMED = 65536 };
 
-/* A millionth of the zenith's radiance with the sun there: errors of less light are taken relative to it. */
+/* A millionth of the zenith's radiance with the sun at the zenith. The errors of darker light are taken
+ * relative to this. */
 static const double floor_radiance[3] = {1.43e-6, 1.47e-6, 1.54e-6};
 static const double turn_seconds = 0.03;
-static const char nothing[] = "uniform:1"; /* its cost is that of a pass without a sky */
-enum { NANOSECONDS, RMS, P99, LARGEST };   /* the numbers of a row */
 
-/* What is drawn as one curve, and each method's word beside its point. */
+/* The cost of this method is that of a pass without a sky. */
+static const char nothing[] = "uniform:1";
+
+/* The numbers of a row. */
+enum { NANOSECONDS, RMS, P99, LARGEST };
+
+/* The curves: the methods of each, and the words beside their points. */
 static const struct {
     const char *label, *methods[6], *words[6];
     PlotMarker marker;
@@ -54,7 +59,8 @@ typedef struct SkyJob {
     double truth[3 * DIRECTIONS];
 } SkyJob;
 
-/* Even over the sky above the visible horizon, by Roberts' recurrence in two dimensions. */
+/* Chooses directions that are even over the sky above the visible horizon, by Roberts' recurrence in two
+ * dimensions. */
 static void choose_directions(SkyJob *job) {
     double horizon = sky_horizon_sine(&job->state.atmosphere);
     for (int i = 0; i < TIMED; i++) {
@@ -109,7 +115,8 @@ static const LedgerRow *find(const SkyJob *job, const char *method) {
 typedef struct Open {
     const char *method;
     SkyProbe probe;
-    double best, spent; /* seconds: a lookup; in all */
+    /* Seconds: the least for one lookup, and all timing together. */
+    double best, spent;
 } Open;
 
 static bool open_method(SkyJob *job, Open *open, const char *method, Error *error) {
@@ -120,7 +127,8 @@ static bool open_method(SkyJob *job, Open *open, const char *method, Error *erro
                             &job->state.atmosphere, error);
 }
 
-/* In turns, once at least; those whose share of the time is spent wait. */
+/* Times the methods in alternation, each at least once. A method that has used its share of the time is
+ * skipped. */
 static bool time_methods(SkyJob *job, Open *open, int count, Error *error) {
     double share = job->params->seconds / count;
     bool timed = true;

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The numbers of a row; the last is 1 at a curve's end. */
+/* The numbers of a row. LAST is 1 at the end of a curve. */
 enum { SAMPLES, SECONDS, PERCENT, LAST };
 
 enum { MOST_GOALS = 16 };
@@ -21,7 +21,7 @@ static void name(const Renderer *renderer, bool adaptive, LedgerRow *row) {
     snprintf(row->words[2], sizeof row->words[2], "%s", renderer->sequence.text);
 }
 
-/* Whether another point, with twice the samples, would be past the limits. */
+/* Says whether another point, with twice the samples, would be past the limits. */
 static bool is_last(const LedgerRow *row, const CurveLimits *limits) {
     return 2 * row->numbers[SECONDS] > limits->seconds || row->numbers[PERCENT] < limits->least_percent;
 }
@@ -125,7 +125,8 @@ static bool judge_goal(Curve *curve, const Adaptive *adaptive, const Reference *
     return judge(curve, reference, row, error);
 }
 
-/* Rounds until adaptive sampling believes to be at `goal`, or has made `most`. */
+/* Renders rounds until adaptive sampling estimates its error to be at most `goal`, or until it has made
+ * `most` rounds. */
 static bool sample_to(Goals *goals, Adaptive *adaptive, Renderer *renderer, double goal, int most,
                       const Monitor *monitor, Error *error) {
     while (!(adaptive_percent(adaptive) <= goal) && adaptive->rounds < most && !monitor_stopped(monitor)) {
@@ -134,7 +135,7 @@ static bool sample_to(Goals *goals, Adaptive *adaptive, Renderer *renderer, doub
     return true;
 }
 
-/* The first run finds the goals; the others, with `reference` NULL, go as far. */
+/* The first run finds the goals. The other runs have `reference` NULL, and make as many rounds. */
 static bool run_adaptive(Curve *curve, const Reference *reference, const CurveLimits *limits,
                          const Monitor *monitor, Error *error) {
     Renderer *renderer = &curve->renderer;
@@ -166,7 +167,7 @@ bool curve_time(Curve *curve, const Reference *reference, const CurveLimits *lim
     return ok;
 }
 
-/* Its points are known since its first run. */
+/* Adds the points of an adaptive curve to the ledger. They are known since its first run. */
 static bool keep_goals(const Curve *curve, Ledger *ledger, Error *error) {
     const Goals *goals = &curve->goals;
     for (int i = 0; i < goals->count; i++) {

@@ -1,5 +1,7 @@
-/* Error against time of one combination of methods: a curve of rows, at 1, 2, 4, ... samples a pixel, or
- * where adaptive sampling believes to be at 16, 8, 4, ... percent. */
+/* Error against time of one combination of methods, as rows of a ledger.
+ *
+ * The points of an even curve are at 1, 2, 4, ... samples a pixel. The points of an adaptive curve are where
+ * adaptive sampling estimates its error to be 16, 8, 4, ... percent. */
 #pragma once
 
 #include "chart/ledger.h"
@@ -10,52 +12,66 @@
 #define CURVE_COLUMNS "sky,light,sequence,sampling,samples,seconds,relrmse_percent,last"
 enum { CURVE_WORDS = 4, CURVE_MOST_POINTS = 32, CURVE_MOST_ROUNDS = 64 };
 
-/* NULL is auto. */
+/* The names of methods. NULL is auto. */
 typedef struct Combination {
     const char *sky, *light, *sequence;
-    bool adaptive; /* as `render` samples; else each pixel alike */
+    /* Whether samples are distributed as `render` does it. If not, all pixels get the same number. */
+    bool adaptive;
 } Combination;
 
 typedef struct CurveLimits {
-    double seconds;       /* no point is later */
-    double least_percent; /* nor any after the first that is below */
+    /* The curve has no point after this time. */
+    double seconds;
+    /* The curve ends at the first point below this error. */
+    double least_percent;
 } CurveLimits;
 
-/* What a run of adaptive sampling finds on its way down. All runs are the same to the bit, so that the first
- * is judged and each round has its quickest time. */
+/* The results of adaptive sampling. All runs are the same to the bit. The errors therefore come from the
+ * first run alone, and each round has the time of its quickest run. */
 typedef struct Goals {
-    LedgerRow rows[CURVE_MOST_POINTS]; /* where a goal took a round or more */
-    int rounds[CURVE_MOST_POINTS];     /* by then */
+    /* A row for each goal that took a round or more. */
+    LedgerRow rows[CURVE_MOST_POINTS];
+    /* The number of rounds until that goal. */
+    int rounds[CURVE_MOST_POINTS];
     int count;
-    double best[CURVE_MOST_ROUNDS]; /* seconds of each round */
+    /* The least seconds of each round. */
+    double best[CURVE_MOST_ROUNDS];
     int round_count;
 } Goals;
 
-/* A curve that is still to be measured. A zeroed one is closed. */
+/* A curve that is still to be measured. A zeroed curve is closed. */
 typedef struct Curve {
-    LedgerRow row; /* its words: the methods in full */
+    /* Its words are the names of the methods in full. */
+    LedgerRow row;
     bool open, adaptive;
-    bool trimmed; /* judged without the 0.1 % worst pixels, as the sun itself is in the picture */
+    /* Whether the worst 0.1 % of the pixels are left out of errors, because the sun's image is in the
+     * picture. */
+    bool trimmed;
     Renderer renderer;
-    Stopwatch stopwatch; /* if it is even */
-    Goals goals;         /* if it is adaptive */
-    double spent;        /* seconds of timing */
+    /* Used by an even curve. */
+    Stopwatch stopwatch;
+    /* Used by an adaptive curve. */
+    Goals goals;
+    /* Seconds of timing so far. */
+    double spent;
 } Curve;
 
-/* Fills in the row. Closed if the ledger has the curve up to its last row, by whatever limits; else compiled,
- * and what the ledger has of it dropped. */
+/* Sets the row's words. If the ledger has the curve up to its last row, by whatever limits, the curve stays
+ * closed. Otherwise its shader is compiled, and the rows of it in the ledger are dropped. */
 MUST_CHECK bool curve_open(Curve *curve, const Combination *combination, const Context *context,
                            const RenderParams *params, Ledger *ledger, Error *error);
 void curve_close(Curve *curve);
 
-/* Times an open curve once more: to be called in turns with others', once at least. */
+/* Times an open curve once more. Call it at least once, in alternation with other curves. */
 MUST_CHECK bool curve_time(Curve *curve, const Reference *reference, const CurveLimits *limits,
                            const Monitor *monitor, Error *error);
 
-/* Renders and judges the points of an open curve that was timed, into the ledger. Stopped by the monitor it
- * leaves what it has. */
+/* Renders the points of an open curve that was timed, measures their errors, and adds them to the ledger. If
+ * the monitor stops it, the points so far stay. */
 MUST_CHECK bool curve_measure(Curve *curve, const Reference *reference, const CurveLimits *limits,
                               const Monitor *monitor, Ledger *ledger, Error *error);
 
-/* A curve's points in the order of their samples, those without an error left out; gives their number. */
+/* Returns the number of a curve's points, in the order of their samples. Points without an error are left
+ * out.
+ */
 int curve_points(const Ledger *ledger, const LedgerRow *row, ParetoPoint points[CURVE_MOST_POINTS]);

@@ -2,13 +2,14 @@
 
 #include <math.h>
 
-static const double side = 8; /* of the square that they lie on, m */
+/* The side of the square that the spheres lie on, in metres. */
+static const double side = 8;
 
 static int columns_of(int count) {
     return (int)ceil(sqrt(count));
 }
 
-/* The radius, with gaps between the spheres as wide as a third of it. */
+/* Returns the spheres' radius. The gaps between spheres are a third of it. */
 static double radius_of(int count) {
     return side / columns_of(count) * 0.43;
 }

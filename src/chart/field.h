@@ -1,13 +1,13 @@
-/* Scenes made to be counted: a field of equal spheres on a plane, as many as asked for, which cover the same
- * part of it and of the picture whatever their number. */
+/* Scenes for measuring cost against the number of shapes. A scene is a field of equal spheres on a plane. The
+ * spheres cover the same part of the plane, and of the picture, however many they are. */
 #pragma once
 
 #include "base/text.h"
 
 enum { FIELD_MOST_CALLS = 100 };
 
-/* One call of hit_sphere() for each: up to FIELD_MOST_CALLS. */
+/* Writes a scene with one call of hit_sphere() for each sphere, for up to FIELD_MOST_CALLS spheres. */
 void field_of_calls(int count, Text *out);
 
-/* One call of hit_spheres() for all (`//@ spheres`). */
+/* Writes a scene with one call of hit_spheres() for all spheres (`//@ spheres`). */
 void field_of_set(int count, Text *out);

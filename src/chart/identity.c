@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* 64-bit FNV-1a. */
+/* The hash is the 64-bit FNV-1a. */
 static uint64_t hash_bytes(uint64_t hash, const void *data, size_t size) {
     const unsigned char *bytes = data;
     if (!hash) hash = 0xcbf29ce484222325U;
@@ -44,7 +44,7 @@ void identity_of_picture(const RenderParams *params, Text *out) {
     text_free(&rest);
 }
 
-/* The processor's name, where Linux tells it. */
+/* Prints the processor's name, if Linux tells it. */
 static void print_processor(Text *out) {
     char line[256];
     FILE *file = fopen("/proc/cpuinfo", "r");

@@ -1,14 +1,14 @@
-/* What was measured, and on what, as lines that start with #: measurements under other lines are not mixed.
- */
+/* The identity of a measurement: lines that start with # and say what was measured, and on which machine.
+ * Measurements with different identities are never mixed. */
 #pragma once
 
 #include "render/renderer.h"
 
-/* The picture: scene, sun, size, and all other settings as a hash. */
+/* Prints the picture's part of the identity: scene, sun, size, and a hash of all other settings. */
 void identity_of_picture(const RenderParams *params, Text *out);
 
-/* The machine that the measurements are of. */
+/* Prints the machine's part of the identity. */
 void identity_of_machine(const Context *context, Text *out);
 
-/* Takes the shader that these methods make into the hash, which starts at 0. */
+/* Adds the text of the shader that these methods make to the hash. A hash starts at 0. */
 MUST_CHECK bool identity_add_shader(const RenderParams *params, uint64_t *hash, Error *error);

@@ -15,7 +15,7 @@ static void row_print(const Ledger *ledger, const LedgerRow *row, Text *out) {
     text_print(out, "\n");
 }
 
-/* A line, cut off in place at its commas; false unless it is a whole row. */
+/* Reads a line, and cuts it at its commas in place. Returns false if it is not a complete row. */
 static bool row_read(const Ledger *ledger, char *line, LedgerRow *row) {
     *row = (LedgerRow){0};
     for (int i = 0; i < ledger->word_count + ledger->number_count; i++) {
@@ -47,7 +47,7 @@ static bool rewrite(const Ledger *ledger, Error *error) {
     return ok;
 }
 
-/* The first line of `there` that is not as in `here`, in words. */
+/* Prints the first line of `there` that differs from `here`, in words. */
 static void say_difference(const char *path, const char *there, const char *here, Text *out) {
     Lines old = lines_of(there), new = lines_of(here);
     const char *a, *b;
@@ -61,7 +61,7 @@ static void say_difference(const char *path, const char *there, const char *here
     lines_free(&new);
 }
 
-/* The rows of a file that begins as it should. */
+/* Reads the rows of a file that has the right beginning. */
 static void take_rows(Ledger *ledger, const char *text) {
     Lines lines = lines_of(text);
     for (char *line; (line = lines_next(&lines));) {

@@ -1,7 +1,7 @@
-/* Measurements in a CSV that grows row by row, so that an interrupted chart goes on where it was.
+/* Measurements in a CSV that grows row by row. An interrupted chart goes on where it stopped.
  *
- *     # magichour 0.1.0           lines of what was measured, and on what: the identity
- *     sky,light,samples,seconds   names of the words, then of the numbers
+ *     # magichour 0.1.0           the identity: what was measured, and on which machine
+ *     sky,light,samples,seconds   the names of the words, then of the numbers
  *     table:gauss:8,cosine,1,0.01
  */
 #pragma once
@@ -18,23 +18,26 @@ typedef struct LedgerRow {
 typedef struct Ledger {
     char *path;
     int word_count, number_count;
-    Text head; /* the identity and the columns' names, as they stand in the file */
+    /* The identity and the columns' names, as they stand in the file. */
+    Text head;
     LedgerRow *rows;
     int count;
 } Ledger;
 
-/* Reads the CSV at `path` if it is there and begins with this identity (lines that start with #) and these
- * columns ("a,b,c": words first). One that begins otherwise is renamed to PATH.old, and `set_aside` says why;
- * else that stays as it is. A row that is not whole, as the last of a program that was killed, is dropped. */
+/* Opens the CSV at `path`. `identity` is lines that start with #, and `columns` is "a,b,c", words first.
+ *
+ * If the file begins with this identity and these columns, its rows are read. If it begins differently, it is
+ * renamed to PATH.old, and `set_aside` gets the reason. Incomplete rows are dropped, such as the last row of
+ * a program that was killed. */
 MUST_CHECK bool ledger_open(Ledger *ledger, const char *path, const char *identity, int word_count,
                             const char *columns, Text *set_aside, Error *error);
 void ledger_close(Ledger *ledger);
 
-/* Adds a row, in the file too. Unused words and numbers are ignored. */
+/* Adds a row, also to the file. Words and numbers beyond the columns are ignored. */
 MUST_CHECK bool ledger_add(Ledger *ledger, const LedgerRow *row, Error *error);
 
-/* Drops all rows with these words, in the file too. */
+/* Drops all rows with the words of `like`, also from the file. */
 MUST_CHECK bool ledger_drop(Ledger *ledger, const LedgerRow *like, Error *error);
 
-/* Whether a row has these words. */
+/* Says whether a row has the words of `like`. */
 bool ledger_same(const Ledger *ledger, const LedgerRow *row, const LedgerRow *like);

@@ -1,27 +1,29 @@
-/* What long measurements are watched by: somebody who may stop them, and who is told how far they are. */
+/* Watches a long measurement: it may stop the measurement, and gets reports of its progress. */
 #pragma once
 
 #include <stdbool.h>
 
 typedef struct Monitor {
-    bool (*stop)(void); /* may be NULL */
-    void (*report)(void *state, double share,
-                   const char *words); /* may be NULL; share of the whole, 0 to 1 */
+    /* Returns true to stop the measurement. May be NULL. */
+    bool (*stop)(void);
+    /* `share` is the part of the whole that is done, from 0 to 1. May be NULL. */
+    void (*report)(void *state, double share, const char *words);
     void *state;
-    double from, to; /* the part of the whole that is at hand */
+    /* The current part of the whole reaches from here to there, from 0 to 1. */
+    double from, to;
 } Monitor;
 
 static inline bool monitor_stopped(const Monitor *monitor) {
     return monitor->stop && monitor->stop();
 }
 
-/* `share` of the part at hand. */
+/* Reports progress. `share` counts within the current part. */
 static inline void monitor_report(const Monitor *monitor, double share, const char *words) {
     if (monitor->report)
         monitor->report(monitor->state, monitor->from + share * (monitor->to - monitor->from), words);
 }
 
-/* A part of the part at hand. */
+/* Returns a monitor for a part of the current part. */
 static inline Monitor monitor_part(const Monitor *monitor, double from, double to) {
     double width = monitor->to - monitor->from;
     Monitor part = *monitor;

@@ -24,7 +24,7 @@ int pareto_front(const ParetoCurve *curves, int count, ParetoPoint *front, int m
     }
     if (!(worst > 0)) return 0;
     for (int i = 0; i < most; i++) {
-        /* Just above the last one, which rounding would miss. */
+        /* The last error is taken a little larger, because rounding could miss the curve's last point. */
         double percent = worst * pow(best / worst, (double)i / (most - 1)) * (1 + 1e-9);
         front[i] = (ParetoPoint){INFINITY, percent};
         for (int c = 0; c < count; c++)

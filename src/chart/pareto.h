@@ -1,20 +1,22 @@
-/* What is quickest at which error: points and curves in the plane of seconds against percent. */
+/* Finds the quickest method for each error, from points and curves of percent against seconds. */
 #pragma once
 
 typedef struct ParetoPoint {
     double seconds, percent;
 } ParetoPoint;
 
-/* In the order of time. */
+/* The points are in the order of time. */
 typedef struct ParetoCurve {
     const ParetoPoint *points;
     int count;
 } ParetoCurve;
 
-/* When a curve first comes down to this error, straight between its points on logarithmic axes. Infinite if
- * it never does; its first point's time if it starts below. */
+/* Returns the time at which a curve first reaches this error. The curve is straight between its points on
+ * logarithmic axes. Returns INFINITY if it never reaches the error, and the time of its first point if it
+ * starts below. */
 double pareto_seconds(const ParetoCurve *curve, double percent);
 
-/* The least time of all curves at each error, at `most` errors from the worst that the quickest point has to
- * the best of all, evenly on a logarithmic axis. Gives the number of points: 0 where there are none. */
+/* Computes the front: the least time of all curves for each of `most` errors. The errors are evenly spaced on
+ * a logarithmic axis, from that of the quickest point to the least of all. Returns the number of points of
+ * the front, which is 0 if there are no curves. */
 int pareto_front(const ParetoCurve *curves, int count, ParetoPoint *front, int most);

@@ -39,7 +39,7 @@ static int columns_of(const Plot *plot) {
     return plot->panel_count > 1 ? 2 : 1;
 }
 
-/* Of one row of panels; two rows are flatter. */
+/* Returns the height of a panel. Panels in two rows are flatter than panels in one. */
 static int panel_height_of(const Plot *plot) {
     return plot->panel_count > 2 ? LOW_PANEL_HEIGHT : PANEL_HEIGHT;
 }

@@ -9,7 +9,7 @@ void plot_axis_include(PlotAxis *axis, double value) {
     axis->high = fmax(axis->high, value);
 }
 
-/* The largest of 1, 2, 5 times a power of ten that is at most `value`. */
+/* Returns the largest number that is 1, 2 or 5 times a power of ten and at most `value`. */
 static double step_below(double value) {
     double ten = pow(10, floor(log10(value) + 1e-9)), digit = value / ten * (1 + 1e-9);
     return ten * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
@@ -49,7 +49,7 @@ int plot_axis_ticks(const PlotAxis *axis, PlotTick ticks[PLOT_TICKS]) {
     int count = 0, first = (int)floor(log10(axis->low) + 1e-9);
     for (int i = 0; count < PLOT_TICKS; i++) {
         int digit = i % 9 + 1, power = first + i / 9;
-        /* Dividing keeps 0.001 what it says. */
+        /* Division gives exactly the number that 0.001 means; multiplication by 10^-3 might not. */
         double value = power < 0 ? digit / pow(10, -power) : digit * pow(10, power);
         if (value > axis->high * (1 + 1e-9)) break;
         if (value < axis->low * (1 - 1e-9)) continue;

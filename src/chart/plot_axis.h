@@ -1,4 +1,4 @@
-/* A logarithmic axis: its range from what it shows, its ticks. A zeroed axis is empty. */
+/* A logarithmic axis. Its range comes from the values that it shows. A zeroed axis is empty. */
 #pragma once
 
 #include <stdbool.h>
@@ -6,23 +6,27 @@
 enum { PLOT_TICKS = 128 };
 
 typedef struct PlotAxis {
-    double low, high; /* 0 while empty */
+    /* Both are 0 while the axis is empty. */
+    double low, high;
 } PlotAxis;
 
 typedef struct PlotTick {
     double value;
-    bool strong;    /* a power of ten */
-    char label[16]; /* may be empty */
+    /* Whether the value is a power of ten. */
+    bool strong;
+    /* May be empty. */
+    char label[16];
 } PlotTick;
 
-/* Values that are not above 0, or not finite, are ignored. */
+/* Widens the range to include a value. A value that is not finite or not above 0 is ignored. */
 void plot_axis_include(PlotAxis *axis, double value);
 
-/* Widens the range to 1, 2 or 5 times a power of ten with room to spare; an empty one to 1 .. 10. */
+/* Widens the range, with some room, to ends that are 1, 2 or 5 times a power of ten. An empty axis gets the
+ * range from 1 to 10. */
 void plot_axis_finish(PlotAxis *axis);
 
-/* From 0 at the low end to 1 at the high end. */
+/* Returns the place of a value on the axis, from 0 at the low end to 1 at the high end. */
 double plot_axis_at(const PlotAxis *axis, double value);
 
-/* In rising order; gives their number. */
+/* Lists the ticks in rising order, and returns their number. */
 int plot_axis_ticks(const PlotAxis *axis, PlotTick ticks[PLOT_TICKS]);

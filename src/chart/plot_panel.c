@@ -11,15 +11,17 @@ static const char front_label[] = "the Pareto front of all";
 static const PlotText small = {.size = 10}, beside = {.size = 10, .backed = true},
                       bold = {.size = 10, .bold = true, .backed = true};
 
-/* Okabe and Ito's colours without the yellow, which is too light on white. */
+/* The colours of Okabe and Ito, without their yellow, which is too light on white. */
 static const double colors[PLOT_COLORS][3] = {{0.00, 0.45, 0.70}, {0.84, 0.37, 0.00}, {0.00, 0.62, 0.45},
                                               {0.80, 0.47, 0.65}, {0.90, 0.62, 0.00}, {0.34, 0.71, 0.91},
                                               {0.25, 0.25, 0.25}};
 
 enum {
+    /* The rings of places that are tried for a label. */
     LABEL_RINGS = 6,
+    /* What a ring further out costs, in the unit of crowd(). */
     FAR_COSTS = 6
-}; /* of places that are tried for a label; a ring further out, in crowd() */
+};
 
 typedef struct Box {
     double x, y, width, height;
@@ -30,7 +32,8 @@ typedef struct Frame {
     cairo_t *cairo;
     Box box;
     PlotAxis across, up;
-    Box taken[PLOT_POINTS]; /* by labels that are drawn already */
+    /* The boxes of labels that are drawn already. */
+    Box taken[PLOT_POINTS];
     int taken_count;
 } Frame;
 
@@ -84,7 +87,7 @@ void plot_panel_include(const PlotPanel *panel, PlotAxis *across, PlotAxis *up) 
 
 static void draw_grid_line(const Frame *frame, bool vertical, double value, bool strong) {
     const Box *box = &frame->box;
-    /* Between pixels' middles lines are sharp. */
+    /* A line through the middle of pixels is sharp. */
     double x = floor(at_x(frame, value)) + 0.5, y = floor(at_y(frame, value)) + 0.5;
     cairo_move_to(frame->cairo, vertical ? x : box->x, vertical ? box->y : y);
     cairo_line_to(frame->cairo, vertical ? x : box->x + box->width, vertical ? box->y + box->height : y);
@@ -188,7 +191,7 @@ static void use_halo(cairo_t *cairo) {
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
 }
 
-/* How much of a polyline, or of its points alone, is in the box. */
+/* Returns how much of a polyline is in the box, or of its points alone. */
 static int crowd_of_points(const Frame *frame, const PlotPoint *points, int count, bool line, Box box) {
     int hidden = 0;
     for (int i = 0; i < 8 * count; i++) {
@@ -202,7 +205,7 @@ static int crowd_of_points(const Frame *frame, const PlotPoint *points, int coun
     return hidden;
 }
 
-/* How much of what is drawn a label in this box would hide. */
+/* Returns how much of the drawing a label in this box would hide. */
 static int crowd(const Frame *frame, Box box) {
     const PlotPanel *panel = frame->panel;
     int hidden = crowd_of_points(frame, panel->front, panel->front_count, true, box);
@@ -227,7 +230,8 @@ static void take(Frame *frame, Box box) {
     if (frame->taken_count < PLOT_POINTS) frame->taken[frame->taken_count++] = box;
 }
 
-/* At the freest place about a point, from `gap` away on, near if it can be. */
+/* Draws a label where it hides least, around a point. It is at least `gap` away from the point, and as near
+ * as it can be. */
 static Box draw_label(Frame *frame, const char *text, double x, double y, double gap, const PlotText *style) {
     double width = plot_text_width(frame->cairo, text, style), height = 11;
     Box best = {0};
@@ -266,7 +270,7 @@ static void draw_ring(Frame *frame) {
     cairo_stroke(frame->cairo);
     take(frame, (Box){x - ring_radius, y - ring_radius, 2 * ring_radius, 2 * ring_radius});
     Box label = draw_label(frame, frame->panel->ring_label, x, y, ring_radius + 1, &bold);
-    /* A line to a label that is not beside its ring. */
+    /* If the label is not beside its ring, a line joins the two. */
     double to_x = fmin(fmax(x, label.x), label.x + label.width) - x;
     double to_y = fmin(fmax(y, label.y), label.y + label.height) - y, away = hypot(to_x, to_y);
     if (away < 2 * ring_radius) return;

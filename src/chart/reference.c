@@ -9,23 +9,27 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { FIRST_SEED = 0x5eed0000 }; /* far from those that users count up from 0 */
+/* This is far from the seeds of users, who count from 0. */
+enum { FIRST_SEED = 0x5eed0000 };
 
-/* Of the time, for the difference between the exact sky and the table. */
+/* The share of the time for the difference between the exact sky and the table. */
 static const double correction_share = 0.25;
 
-/* The light and sequence of the first part: those of the others too, or the same random numbers would make
- * other paths. */
+/* The light method and the sequence of the first part. The other parts use them too; otherwise the same
+ * random numbers would make different paths. */
 typedef struct Paths {
     char light[48], sequence[48];
 } Paths;
 
-/* A picture to be added to a half, `weight` times. */
+/* A picture that is added to a half, multiplied by `weight`. */
 typedef struct Part {
-    const char *sky; /* NULL for auto's */
+    /* NULL for the choice of auto. */
+    const char *sky;
     unsigned seed;
-    double seconds;   /* 0: `samples` */
-    uint64_t samples; /* also what was taken */
+    /* How long to render. 0 means: take `samples` samples. */
+    double seconds;
+    /* Set to the number of samples that were taken. */
+    uint64_t samples;
     double weight;
 } Part;
 
@@ -34,7 +38,8 @@ typedef struct Maker {
     const RenderParams *params;
     const Monitor *monitor;
     Paths paths;
-    double done, whole; /* seconds */
+    /* In seconds. */
+    double done, whole;
 } Maker;
 
 static bool render_part(Maker *maker, Part *part, Image *half, Error *error) {
@@ -70,7 +75,7 @@ static bool render_part(Maker *maker, Part *part, Image *half, Error *error) {
     return ok;
 }
 
-/* Whether the scene's sky is one of those that a table is made of. */
+/* Says whether a table can be made of the scene's sky. */
 static bool integrates(const RenderParams *params) {
     MethodChoice choice;
     Error ignored;
@@ -102,7 +107,7 @@ static bool make(Reference *reference, Maker *maker, double seconds, Error *erro
         image_free(&reference->image);
     } else if (ok) {
         ok = compare_images(&reference->image, &other, NULL, NULL, &between, error);
-        /* The mean of two halves is off by half of what they differ by. */
+        /* The error of the mean of two halves is half of their difference. */
         reference->error_percent = between.rel_rmse_percent / 2;
         reference->trimmed_percent = between.trimmed_percent / 2;
         size_t values = 4 * (size_t)other.width * (size_t)other.height;

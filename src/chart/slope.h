@@ -1,8 +1,10 @@
-/* How a cost grows: powers fitted to measurements. All values are above 0. */
+/* Fits powers to measurements, to see how a cost grows. All values are above 0. */
 #pragma once
 
-/* The exponent s of y = c x^s by least squares of the logarithms; NaN with fewer than two different x. */
+/* Returns the exponent s of y = c x^s, by least squares of the logarithms. Returns NaN if fewer than two x
+ * differ. */
 double slope_fit(const double *x, const double *y, int count);
 
-/* The largest |y / (c x) - 1| for the c that is best for the logarithms: how far from proportional. */
+/* Returns how far y is from proportional to x: the largest |y / (c x) - 1|, for the c that fits the
+ * logarithms best. */
 double slope_departure(const double *x, const double *y, int count);

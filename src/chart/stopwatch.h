@@ -1,5 +1,5 @@
-/* Seconds of rendering, as a quiet machine would take them: the quickest of several passes of the same size.
- * Other programs only ever make a pass slower. Where things are to be compared, time them in turns, so that a
+/* Measures rendering time as on a quiet machine: it takes the quickest of several passes of the same size,
+ * because other programs can only make a pass slower. To compare methods, time them in alternation, so that a
  * busy minute slows all of them. */
 #pragma once
 
@@ -8,18 +8,21 @@
 enum { STOPWATCH_SIZES = 8 };
 
 typedef struct Stopwatch {
-    double best[STOPWATCH_SIZES]; /* of a pass of 1, 2, 4, ... samples, up to the renderer's group */
-    double spent;                 /* seconds of timing */
+    /* The least seconds of a pass of 1, 2, 4, ... samples, up to the renderer's group. */
+    double best[STOPWATCH_SIZES];
+    /* Seconds of timing so far. */
+    double spent;
 } Stopwatch;
 
-/* Renders once and forgets it: the driver compiles at the first draw. */
+/* Renders once and forgets the picture, because the driver compiles the shader at the first draw. */
 MUST_CHECK bool stopwatch_start(Stopwatch *monitor, Renderer *renderer, Error *error);
 
-/* Times a pass of whole groups, begun anew. */
+/* Times one pass of a whole group, from an empty film. */
 MUST_CHECK bool stopwatch_group(Stopwatch *monitor, Renderer *renderer, Error *error);
 
-/* Times each size once. */
+/* Times a pass of each size once. */
 MUST_CHECK bool stopwatch_sizes(Stopwatch *monitor, Renderer *renderer, Error *error);
 
-/* What `samples` a pixel take, a power of 2: a pass, or as many groups as they are. */
+/* Returns the seconds that `samples` samples a pixel take, as one pass or as several groups. `samples` is a
+ * power of 2. */
 double stopwatch_seconds(const Stopwatch *monitor, const Renderer *renderer, uint64_t samples);

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* As flat as it gets: a planet so many times larger, with the same air above it. */
+/* A planet that is this many times larger, with the same air above it, counts as flat. */
 static const double flat = 100;
 
 Variation *variation_create(const RenderParams *params) {
@@ -66,7 +66,8 @@ static bool asks_table(const Variation *variation) {
     return method_choose(&choice, METHOD_SKY, variation->params.sky, &ignored) && choice.table;
 }
 
-/* Rays to a flat horizon are long: fewer nodes would err by more than the curvature changes. */
+/* Rays to a flat horizon are long. With few nodes, their error would be larger than the change by the
+ * curvature. */
 static void curvature_turn(const Term *term, Variation *variation, bool on) {
     (void)term;
     (void)on;
@@ -92,7 +93,7 @@ static void disk_turn(const Term *term, Variation *variation, bool on) {
     variation->params.sun_disk = on ? "auto" : "off";
 }
 
-/* Off, that light is left to chance, which finds next to none of it. */
+/* If the term is off, only random bounces look for this light, and they find nearly none of it. */
 static TermState caustic_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
     return state_of(has_disk(renderer) && scene_hint_count(params->scene, HINT_MIRROR_SPHERE) > 0, true);
@@ -124,7 +125,7 @@ static void hits_turn(const Term *term, Variation *variation, bool on) {
     variation->params.max_hits = on ? 0 : term->number;
 }
 
-/* "More than N nodes". */
+/* The terms "more than N nodes". */
 static TermState nodes_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)params;
     const MethodChoice *sky = &renderer->sky.choice;
@@ -193,7 +194,7 @@ static void emitters_turn(const Term *term, Variation *variation, bool on) {
     variation->scene.values.ignored_hints |= 1U << HINT_EMITTER_SPHERE;
 }
 
-/* A checkbox of the scene's own. */
+/* The terms that are checkboxes of the scene. */
 static TermState checkbox_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)renderer;
     return state_of(true, params->scene->values.parameters[term->number][0] > 0);

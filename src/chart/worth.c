@@ -6,7 +6,8 @@
 
 enum { FIRST_SEED = 1, ROUNDS = 5 };
 static const double timing_seconds = 0.5;
-static const double trimmed_share = 0.001; /* of the pixels, where the sun itself is in the picture */
+/* The share of the pixels that is left out if the sun's image is in the picture. */
+static const double trimmed_share = 0.001;
 
 static bool render(Renderer *renderer, const Scene *scene, unsigned seed, unsigned samples,
                    bool (*stop)(void), Image *image, Error *error) {
@@ -45,7 +46,7 @@ void worth_end(WorthBase *base) {
     *base = (WorthBase){0};
 }
 
-/* A pixel's value, and what it is sorted by. */
+/* A pixel's value, and the number that pixels are sorted by. */
 typedef struct Sorted {
     double size, value;
 } Sorted;
@@ -55,14 +56,15 @@ static int by_size(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/* Puts the trimmed share, the largest, at the end, and gives how many come before. */
+/* Sorts the pixels, and returns how many are left if the largest, the trimmed share, are left out. */
 static size_t set_aside(Sorted *pixels, size_t count) {
     qsort(pixels, count, sizeof *pixels, by_size);
     size_t aside = (size_t)ceil(trimmed_share * (double)count);
     return count > aside ? count - aside : 1;
 }
 
-/* The mean of the channels; `trim`: without the brightest pixels, such as the sun. */
+/* Returns the mean over pixels and channels. If `trim` is set, the brightest pixels are left out, such as the
+ * sun. */
 static double mean_of(const Image *image, bool trim) {
     size_t count = (size_t)image->width * (size_t)image->height;
     Sorted *pixels = memory_get(count, sizeof *pixels);
@@ -76,9 +78,9 @@ static double mean_of(const Image *image, bool trim) {
     return sum / (double)left;
 }
 
-/* The differences by two seeds have the same mean and independent noise: of their product only the square of
- * that mean is left. `trim` leaves out the pixels that differ most: a sun in the picture, rare bright paths.
- */
+/* The differences for two seeds have the same mean and independent noise. The mean of their product is
+ * therefore the square of that mean, without noise. `trim` leaves out the pixels that differ most: the sun's
+ * image, and rare bright paths. */
 static void measure_change(const Image base[2], const Image other[2], bool trim, Worth *worth) {
     size_t count = (size_t)base->width * (size_t)base->height;
     Sorted *products = memory_get(count, sizeof *products);
@@ -102,7 +104,8 @@ static void measure_change(const Image base[2], const Image other[2], bool trim,
     free(products);
 }
 
-/* Mean square of the noise in a picture; not below a millionth of its light, which is rounding. */
+/* Returns the mean square of the noise in a picture. It is at least that of a millionth of the picture's
+ * light, which is rounding. */
 static double noise_of(const Image pictures[2]) {
     size_t pixels = (size_t)pictures->width * (size_t)pictures->height;
     double squares = 0, least = 1e-6 * mean_of(&pictures[0], false);
@@ -129,7 +132,7 @@ static bool time_both(WorthBase *base, const Variation *variation, Renderer *ren
     return true;
 }
 
-/* Seconds a sample, each by its own groups. */
+/* Returns the seconds of a sample, by the renderer's own group. */
 static double sample_seconds(const Stopwatch *stopwatch, const Renderer *renderer) {
     return stopwatch_seconds(stopwatch, renderer, renderer->group_samples) / renderer->group_samples;
 }
@@ -160,7 +163,8 @@ bool worth_of(WorthBase *base, const Term *term, bool (*stop)(void), Worth *wort
     if (worth->state == TERM_NONE) return true;
     Variation *variation = variation_create(base->params);
     Renderer renderer;
-    /* The others as they are: what auto chooses may depend on the one that is turned. */
+    /* The other methods stay as they are, because the choice of auto may depend on the term that is turned.
+     */
     if (base->renderer.sky.choice.method->integrates) variation->params.sky = base->renderer.sky.choice.text;
     variation->params.light = base->renderer.light.text;
     variation->params.sequence = base->renderer.sequence.text;

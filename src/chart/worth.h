@@ -1,4 +1,4 @@
-/* What a term of the model is worth in a scene: the change that it makes in the picture, and what it costs.
+/* Measures what a term of the model is worth in a scene: how much it changes the picture, and what it costs.
  */
 #pragma once
 
@@ -7,16 +7,17 @@
 
 typedef struct Worth {
     TermState state;
-    /* relRMSE, percent of the picture's mean, between the picture with the term and without it; what noise
-     * would make of two equal pictures is not in it. Below `change_known` it cannot be told from 0. */
+    /* The relRMSE between the pictures with the term and without it, in percent. Noise is not part of it.
+     * Below `change_known` the change cannot be told from 0. */
     double change_percent, change_known;
-    double cost_percent; /* time with the term over time without it, less 1 */
-    /* Of terms that leave the picture as it is: the time that it takes without the term to come to the same
-     * noise, over the time with it. */
+    /* (time with the term) / (time without it) - 1. */
+    double cost_percent;
+    /* For terms that leave the picture's mean as it is: (time without the term) / (time with it), both to the
+     * same noise. */
     double gain;
 } Worth;
 
-/* The picture as it is, by two seeds. */
+/* The picture as it is, rendered with two seeds. */
 typedef struct WorthBase {
     const RenderParams *params;
     const Context *context;
@@ -30,6 +31,6 @@ MUST_CHECK bool worth_begin(WorthBase *base, const Context *context, const Rende
                             unsigned samples, bool (*stop)(void), Error *error);
 void worth_end(WorthBase *base);
 
-/* Renders the picture with the term turned the other way, with the same random numbers, and times both in
- * turns. A TERM_NONE takes no time. */
+/* Renders the picture with the term turned the other way and the same random numbers, and times both pictures
+ * in alternation. A term in the state TERM_NONE takes no time. */
 MUST_CHECK bool worth_of(WorthBase *base, const Term *term, bool (*stop)(void), Worth *worth, Error *error);
