@@ -1,181 +1,26 @@
 #include "choice/bias.h"
 
+#include "choice/bias_figures.h"
+
 #include <math.h>
 #include <string.h>
 
-/* Where the observer is, and whether there is ozone: what was measured is held by place. */
-typedef enum Place { UP_TO_1_KM, UP_TO_20_KM, IN_AIR, ABOVE_AIR, PLACES } Place;
+/* Where the observer is: what was measured is held by place. */
+typedef enum Place { UP_TO_1_KM, UP_TO_20_KM, IN_AIR, ABOVE_AIR } Place;
 
-enum { SUNS = 15, FIGURES = 11, PAPER = 7, ROWS = 9, COLUMNS = 10 };
+/* The columns of the figures behind those of gauss. */
+enum { PAPER_16X4 = 7, PAPER_64X16, TABLE_ROWS, TABLE_COLUMNS };
 
-/* gauss:n by n from 4; there are no columns for 9 and 11, which are better than the one before them. */
+/* The column of gauss:n, by n from 4. gauss:9 has the figures of gauss:8, and gauss:11 those of gauss:10:
+ * more nodes are more accurate. */
 static const int column_of_nodes[] = {0, 1, 2, 3, 4, 4, 5, 5, 6};
 
-static const double suns_deg[SUNS] = {90, 30, 15, 5, 2, 1, 0.5, 0, -0.2, -1, -4, -6, -8, -10, -12};
-
-/* Percent, by sun: gauss:4, 5, 6, 7, 8, 10, 12, paper:16x4, 64x16, and of a table's 96 rows and 32 columns a
- * half, which err by the inverse square of their numbers: second order to a few percent from 8x24 to 256x512.
- *
- * Measured against gauss:12, with ozone against the adaptive quadrature (--sky reference): relRMSE of the
- * crater and the materials (96x96, 32 samples, the same paths), of the whole sky, and of the 20 degrees about
- * the visible horizon; the largest of these over observers at 0 to 1, 3 to 10, 25 to 50, and 62 to 1000 km
- * and over 20 to 32 suns; and 0.4 more, for other scenes and for what lies between. */
-static const double figures[2][PLACES][SUNS][FIGURES] = {
-    {
-        {
-            /* up to 1 km */
-            {2.5, 0.6, 0.13, 0.016, 0.0059, 0.001, 0.001, 18, 1.1, 0.052, 0.001},
-            {3.1, 0.65, 0.15, 0.021, 0.0057, 0.001, 0.001, 33, 1.4, 0.064, 0.001},
-            {3.5, 1.2, 0.26, 0.04, 0.0059, 0.001, 0.001, 49, 2, 0.062, 0.001},
-            {8.5, 2.5, 0.47, 0.037, 0.0045, 0.001, 0.001, 33, 9.1, 0.14, 0.001},
-            {17, 3.2, 0.22, 0.13, 0.031, 0.0013, 0.001, 85, 9.3, 0.15, 0.0044},
-            {19, 2.1, 0.84, 0.29, 0.033, 0.0062, 0.001, 1.1e+02, 5.4, 0.17, 0.01},
-            {18, 2.8, 1.7, 0.33, 0.078, 0.0078, 0.001, 98, 3.3, 0.18, 0.016},
-            {14, 7.6, 2.5, 0.44, 0.32, 0.016, 0.0021, 66, 1.6, 0.18, 0.027},
-            {3.5, 0.79, 0.14, 0.032, 0.0045, 0.001, 0.001, 43, 2.1, 0.17, 0.03},
-            {1, 0.23, 0.045, 0.0084, 0.0014, 0.001, 0.001, 15, 0.88, 0.24, 0.11},
-            {3.3, 0.82, 0.16, 0.025, 0.0035, 0.001, 0.001, 39, 3.2, 0.22, 0.2},
-            {1.9, 0.34, 0.06, 0.011, 0.0017, 0.001, 0.001, 93, 9.2, 0.5, 0.15},
-            {2.7, 0.37, 0.075, 0.014, 0.0021, 0.001, 0.001, 2.7e+02, 26, 1.2, 0.49},
-            {3.8, 1.2, 0.26, 0.048, 0.0091, 0.0013, 0.001, 6e+02, 49, 2.8, 1.9},
-            {21, 3.8, 0.69, 0.17, 0.059, 0.0051, 0.0025, 1.3e+03, 77, 8.3, 11},
-        },
-        {
-            /* up to 20 km */
-            {1.4, 0.24, 0.026, 0.0032, 0.0011, 0.001, 0.001, 4.4, 0.41, 0.08, 0.001},
-            {1.2, 0.19, 0.026, 0.0027, 0.0014, 0.001, 0.001, 6.1, 0.7, 0.088, 0.001},
-            {1.6, 0.3, 0.043, 0.0064, 0.0015, 0.001, 0.001, 13, 2, 0.11, 0.001},
-            {1.2, 0.19, 0.098, 0.015, 0.0026, 0.001, 0.001, 45, 7.8, 0.2, 0.0049},
-            {1.5, 0.24, 0.14, 0.019, 0.0042, 0.001, 0.001, 64, 6.7, 0.27, 0.013},
-            {1.5, 0.32, 0.17, 0.022, 0.0078, 0.001, 0.001, 95, 6.2, 0.36, 0.019},
-            {1.9, 0.4, 0.19, 0.028, 0.0082, 0.001, 0.001, 64, 3.6, 0.36, 0.024},
-            {2.4, 0.53, 0.21, 0.036, 0.011, 0.001, 0.001, 48, 3.2, 0.39, 0.03},
-            {2.3, 0.52, 0.14, 0.037, 0.011, 0.001, 0.001, 45, 3, 0.41, 0.023},
-            {2.7, 0.57, 0.15, 0.036, 0.011, 0.0013, 0.001, 37, 2.2, 0.58, 0.097},
-            {11, 1.9, 0.31, 0.063, 0.012, 0.0011, 0.001, 11, 0.49, 1.2, 0.59},
-            {6.8, 1.2, 0.19, 0.029, 0.0049, 0.001, 0.001, 17, 1.4, 1.4, 0.37},
-            {5.4, 0.82, 0.15, 0.027, 0.0047, 0.001, 0.001, 45, 3.6, 2.4, 0.76},
-            {5.2, 1.4, 0.15, 0.024, 0.007, 0.001, 0.001, 1.2e+02, 7.8, 3.8, 2},
-            {8.3, 1.9, 0.51, 0.11, 0.029, 0.0027, 0.0027, 1.5e+02, 6.7, 11, 9.3},
-        },
-        {
-            /* up to the top of the air */
-            {2.7, 0.49, 0.31, 0.076, 0.019, 0.0021, 0.001, 10, 1.1, 0.81, 0.001},
-            {3.6, 0.7, 0.39, 0.12, 0.028, 0.0032, 0.001, 14, 1.5, 0.84, 0.001},
-            {4.7, 1.1, 0.41, 0.18, 0.047, 0.0057, 0.001, 19, 2.2, 0.85, 0.0029},
-            {6.5, 1.7, 0.48, 0.3, 0.061, 0.012, 0.001, 33, 4.6, 0.85, 0.043},
-            {7.9, 1.8, 0.57, 0.33, 0.05, 0.011, 0.001, 50, 6.9, 0.84, 0.064},
-            {9.2, 1.9, 0.73, 0.36, 0.072, 0.011, 0.001, 62, 8, 0.84, 0.08},
-            {9.9, 2, 0.75, 0.38, 0.052, 0.0099, 0.001, 69, 8.6, 0.83, 0.089},
-            {11, 2.1, 0.89, 0.39, 0.068, 0.0097, 0.001, 79, 9.3, 0.83, 0.11},
-            {7.3, 1.2, 0.7, 0.15, 0.059, 0.0024, 0.001, 83, 9.6, 0.67, 0.086},
-            {19, 4.1, 2.1, 0.34, 0.2, 0.01, 0.001, 1.1e+02, 11, 1.2, 0.24},
-            {5.8, 2.7, 0.55, 0.22, 0.032, 0.0064, 0.001, 4.2e+02, 24, 2.3, 0.98},
-            {17, 2.2, 0.42, 0.096, 0.029, 0.0018, 0.001, 1.4e+02, 5, 5.3, 5.3},
-            {32, 2.9, 0.56, 0.096, 0.017, 0.001, 0.001, 28, 1.7, 7.1, 1.8},
-            {29, 3, 0.46, 0.15, 0.035, 0.0017, 0.001, 30, 1.8, 1.8e+02, 21},
-            {19, 3, 0.46, 0.09, 0.018, 0.001, 0.001, 42, 1.7, 9, 2},
-        },
-        {
-            /* above it */
-            {2, 0.59, 0.47, 0.053, 0.02, 0.014, 0.0011, 15, 1.5, 0.057, 0.033},
-            {2.6, 1.2, 0.74, 0.11, 0.065, 0.013, 0.0014, 20, 2.1, 0.077, 0.38},
-            {3.3, 1.7, 0.92, 0.12, 0.09, 0.012, 0.0021, 22, 2.5, 0.079, 0.75},
-            {4.7, 2.2, 1.1, 0.29, 0.12, 0.02, 0.0057, 31, 5, 0.13, 1.1},
-            {6.3, 2.5, 1.2, 0.3, 0.14, 0.053, 0.004, 45, 7.6, 0.15, 1.1},
-            {7.7, 2.9, 1.2, 0.32, 0.13, 0.32, 0.0047, 55, 9.2, 0.28, 0.61},
-            {8.5, 3.2, 1.2, 0.37, 0.14, 0.17, 0.013, 61, 11, 0.23, 0.68},
-            {9.7, 3.5, 1.3, 0.45, 0.15, 0.2, 0.024, 69, 12, 0.26, 0.74},
-            {9.8, 3.5, 1.3, 0.45, 0.15, 0.014, 0.0085, 73, 12, 0.28, 0.6},
-            {13, 4.4, 1.7, 0.55, 0.18, 0.028, 0.0022, 91, 15, 0.41, 1.4},
-            {21, 6.3, 2.4, 0.62, 0.2, 0.036, 0.0015, 2.5e+02, 29, 0.93, 2.1},
-            {24, 6.6, 3.1, 0.72, 0.15, 0.014, 0.0013, 5e+02, 39, 4.2, 3.9},
-            {37, 7.3, 3.6, 0.95, 0.21, 0.014, 0.0011, 3.6e+02, 50, 5.7, 12},
-            {31, 11, 4, 0.92, 0.36, 0.021, 0.001, 9.9e+02, 65, 5, 14},
-            {45, 11, 2.4, 1.7, 0.32, 0.047, 0.0013, 4.1e+02, 57, 2.7, 26},
-        },
-    },
-    {
-        {
-            /* up to 1 km, with ozone */
-            {2.5, 0.6, 0.13, 0.016, 0.0085, 0.0025, 0.0024, 18, 1.1, 0.052, 0.001},
-            {3.1, 0.66, 0.15, 0.021, 0.012, 0.0034, 0.0017, 33, 1.4, 0.064, 0.001},
-            {3.5, 1.2, 0.26, 0.039, 0.0076, 0.0025, 0.0011, 49, 2, 0.062, 0.0016},
-            {8.5, 2.5, 0.47, 0.038, 0.018, 0.0076, 0.0049, 33, 9.1, 0.14, 0.0045},
-            {17, 3.4, 0.23, 0.13, 0.075, 0.039, 0.026, 85, 9.3, 0.15, 0.0084},
-            {21, 2.3, 0.87, 0.31, 0.073, 0.063, 0.045, 1.1e+02, 5.4, 0.17, 0.022},
-            {19, 2.9, 1.9, 0.36, 0.14, 0.092, 0.068, 98, 3.3, 0.18, 0.025},
-            {16, 8.2, 2.7, 0.45, 0.42, 0.26, 0.13, 66, 1.6, 0.18, 0.054},
-            {3.8, 0.96, 0.41, 0.29, 0.19, 0.23, 0.11, 43, 2.1, 0.17, 0.03},
-            {2, 1.3, 0.91, 0.34, 0.24, 0.41, 0.12, 15, 0.88, 0.24, 0.11},
-            {6.7, 4.3, 1.9, 0.64, 0.58, 1.1, 0.29, 39, 3.2, 0.22, 0.2},
-            {11, 3.8, 1.7, 0.97, 0.96, 1.3, 0.42, 93, 9.2, 0.5, 0.22},
-            {20, 6.1, 2.4, 2, 2, 2, 0.86, 2.7e+02, 26, 1.3, 0.57},
-            {18, 8.7, 3.8, 3.1, 2.9, 1.8, 0.94, 6e+02, 49, 2.8, 1.9},
-            {21, 6.9, 4.2, 2.8, 1.7, 1.7, 0.79, 1.3e+03, 77, 8.3, 11},
-        },
-        {
-            /* up to 20 km, with ozone */
-            {1.3, 0.22, 0.025, 0.0099, 0.0053, 0.003, 0.002, 4.4, 0.41, 0.08, 0.0019},
-            {1.2, 0.2, 0.026, 0.012, 0.0065, 0.0034, 0.0021, 6.1, 0.7, 0.098, 0.0033},
-            {1.5, 0.26, 0.034, 0.012, 0.006, 0.0031, 0.002, 13, 2, 0.088, 0.0032},
-            {1.4, 0.26, 0.11, 0.018, 0.011, 0.0039, 0.0018, 45, 7.8, 0.21, 0.0049},
-            {1.5, 0.24, 0.14, 0.03, 0.017, 0.0067, 0.011, 64, 6.7, 0.27, 0.014},
-            {1.5, 0.32, 0.17, 0.079, 0.1, 0.07, 0.015, 95, 6.2, 0.36, 0.026},
-            {1.9, 0.4, 0.19, 0.07, 0.055, 0.03, 0.016, 64, 3.6, 0.36, 0.064},
-            {2.4, 0.53, 0.21, 0.14, 0.13, 0.063, 0.039, 48, 3.2, 0.39, 0.048},
-            {2.3, 0.52, 0.15, 0.09, 0.058, 0.022, 0.054, 45, 3, 0.41, 0.025},
-            {2.5, 0.78, 0.44, 0.47, 0.86, 1.2, 0.076, 37, 2.2, 0.57, 0.18},
-            {16, 6.4, 2.7, 1.8, 0.77, 1.1, 0.41, 11, 0.49, 1.2, 0.77},
-            {21, 7.9, 2.3, 1.1, 1.5, 1.6, 1.1, 17, 1.4, 1.8, 1.6},
-            {22, 17, 8.1, 4.1, 2.7, 3.1, 0.76, 45, 3.6, 2.4, 1.1},
-            {52, 22, 7.2, 3.3, 2.6, 5.3, 0.72, 1.2e+02, 7.8, 3.8, 2.2},
-            {36, 15, 5, 8.6, 5.3, 4.6, 1.3, 1.5e+02, 6.7, 11, 9.3},
-        },
-        {
-            /* up to the top of the air, with ozone */
-            {2.7, 0.49, 0.32, 0.076, 0.03, 0.017, 0.009, 10, 1.1, 0.81, 0.0099},
-            {3.8, 0.72, 0.39, 0.12, 0.039, 0.021, 0.011, 14, 1.5, 1.2, 0.015},
-            {4.2, 0.94, 0.42, 0.15, 0.05, 0.026, 0.014, 19, 2.2, 0.73, 0.018},
-            {7.9, 2.4, 0.48, 0.37, 0.16, 0.071, 0.025, 33, 4.6, 1.9, 0.043},
-            {8.5, 2, 0.57, 0.38, 0.18, 0.072, 0.053, 50, 6.9, 0.84, 0.069},
-            {13, 2.9, 0.73, 0.65, 0.36, 0.43, 0.069, 62, 8, 0.84, 0.13},
-            {13, 2.8, 0.75, 0.63, 0.24, 0.17, 0.075, 69, 8.6, 0.83, 0.15},
-            {14, 3, 0.94, 0.71, 0.28, 0.2, 0.09, 79, 9.3, 0.83, 0.18},
-            {7.3, 2.1, 0.71, 0.23, 0.2, 0.11, 0.031, 83, 9.6, 0.67, 0.11},
-            {19, 5, 2.1, 0.6, 0.7, 0.62, 0.12, 1.1e+02, 11, 1.2, 0.34},
-            {7.3, 2.8, 2, 0.58, 0.91, 0.38, 0.3, 4.2e+02, 24, 2.3, 1.1},
-            {20, 5.6, 2.2, 0.69, 1.2, 0.86, 0.62, 1.4e+02, 5, 5.3, 5.3},
-            {49, 21, 5.8, 4.5, 3.9, 11, 3, 28, 1.7, 7.1, 2.1},
-            {57, 18, 9.1, 4.5, 2.8, 4.7, 2.2, 30, 1.8, 1.8e+02, 21},
-            {42, 20, 6.5, 3.8, 4.5, 4.4, 0.76, 42, 1.7, 9.9, 2.7},
-        },
-        {
-            /* above it, with ozone */
-            {5, 0.75, 1.4, 0.088, 0.038, 0.018, 0.014, 15, 1.5, 0.057, 0.038},
-            {8.2, 2.3, 2.3, 0.2, 0.14, 0.024, 0.02, 20, 2.1, 0.077, 0.46},
-            {14, 5.1, 3.3, 0.45, 0.32, 0.061, 0.025, 22, 2.5, 0.072, 0.68},
-            {9.9, 4.1, 1.5, 0.58, 0.33, 0.11, 0.052, 31, 5, 0.13, 1.1},
-            {13, 5, 1.2, 0.98, 0.37, 0.1, 0.058, 45, 7.6, 0.15, 1.1},
-            {27, 9, 1.2, 3.4, 0.97, 0.58, 0.069, 55, 9.2, 0.28, 1.2},
-            {19, 5.9, 1.4, 2, 0.47, 0.24, 0.077, 61, 11, 0.23, 1.3},
-            {21, 5.4, 2.5, 2.3, 0.39, 0.32, 0.095, 69, 12, 0.26, 1.3},
-            {9.8, 3.5, 1.3, 0.42, 0.15, 0.15, 0.072, 73, 12, 0.28, 0.92},
-            {14, 4.3, 1.6, 0.69, 0.31, 0.22, 0.16, 91, 15, 0.37, 1.8},
-            {22, 6.7, 2.4, 0.84, 0.63, 0.43, 0.21, 2.5e+02, 29, 0.98, 2.1},
-            {24, 7.1, 3.1, 1.3, 0.53, 0.36, 0.14, 5e+02, 39, 3.3, 3.9},
-            {37, 7.3, 3.6, 0.74, 0.42, 0.38, 0.11, 3.6e+02, 50, 5.2, 12},
-            {31, 11, 4, 0.92, 0.75, 0.3, 0.28, 9.9e+02, 65, 4.7, 18},
-            {45, 11, 4.4, 2.3, 3.1, 1.4, 0.67, 4.1e+02, 57, 4.5, 28},
-        },
-    },
-};
-
-/* Where `sun` lies among the suns: the row before it, and the share of the next. */
+/* The row of the last measured sun that is as high as `sun`, and the share that the next row has. */
 static int locate(double sun, double *share) {
+    const double *suns = bias_suns_deg;
     int row = 0;
-    while (row < SUNS - 2 && sun < suns_deg[row + 1]) row++;
-    *share = fmin(fmax((suns_deg[row] - sun) / (suns_deg[row] - suns_deg[row + 1]), 0), 1);
+    while (row < BIAS_SUNS - 2 && sun < suns[row + 1]) row++;
+    *share = fmin(fmax((suns[row] - sun) / (suns[row] - suns[row + 1]), 0), 1);
     return row;
 }
 
@@ -184,15 +29,17 @@ static Place place_of(const Atmosphere *a) {
     return a->observer_height_m > 20e3 ? IN_AIR : a->observer_height_m > 1e3 ? UP_TO_20_KM : UP_TO_1_KM;
 }
 
-/* Between two suns the logarithm is interpolated: errors grow by orders of magnitude in twilight. */
+/* Between two measured suns the logarithm is interpolated, as errors grow by orders of magnitude in twilight.
+ */
 static double figure(int column, double sun, const Atmosphere *a) {
-    const double(*rows)[FIGURES] = figures[a->ozone > 0][place_of(a)];
+    const double(*rows)[BIAS_COLUMNS] = bias_figures[a->ozone > 0][place_of(a)];
     double share;
     int row = locate(sun, &share);
     return exp((1 - share) * log(rows[row][column]) + share * log(rows[row + 1][column]));
 }
 
-/* Whether the settings that the sky's shape depends on are within a tenth of a preset's. */
+/* Whether `a` is an air that the figures speak of. Each setting that decides how the sky's radiance varies
+ * with direction must be within a tenth of one preset's value. */
 static bool is_measured_air(const Atmosphere *a) {
     static const char *const others[] = {"observer_height_m", "mie_g",
                                          "sun_irradiance",    "wavelengths_nm",
@@ -218,12 +65,15 @@ static double nodes_percent(const MethodChoice *choice, double sun, const Atmosp
     MethodNumbers numbers = choice->method->numbers;
     if (numbers == NUMBERS_NODES) return figure(column_of_nodes[choice->nodes - 4], sun, a);
     if (numbers != NUMBERS_STEPS) return NAN;
-    if (choice->steps.view >= 64 && choice->steps.light >= 16) return figure(PAPER + 1, sun, a);
-    return choice->steps.view >= 16 && choice->steps.light >= 4 ? figure(PAPER, sun, a) : NAN;
+    if (choice->steps.view >= 64 && choice->steps.light >= 16) return figure(PAPER_64X16, sun, a);
+    return choice->steps.view >= 16 && choice->steps.light >= 4 ? figure(PAPER_16X4, sun, a) : NAN;
 }
 
+/* The errors of a table fall with the square of its rows and of its columns: measured from 8x24 to 256x512,
+ * to a few percent. */
 static double table_percent(int columns, int rows, double sun, const Atmosphere *a) {
-    return figure(ROWS, sun, a) * pow(96.0 / rows, 2) + figure(COLUMNS, sun, a) * pow(32.0 / columns, 2);
+    return figure(TABLE_ROWS, sun, a) * pow(96.0 / rows, 2) +
+           figure(TABLE_COLUMNS, sun, a) * pow(32.0 / columns, 2);
 }
 
 void bias_table_size(const MethodChoice *choice, double sun, const Atmosphere *a, int *columns, int *rows) {
@@ -239,7 +89,7 @@ void bias_table_size(const MethodChoice *choice, double sun, const Atmosphere *a
 double bias_sky_percent(const MethodChoice *choice, double sun, const Atmosphere *a) {
     int columns, rows;
     if (!choice->method->integrates) return 0;
-    if (!is_measured_air(a) || sun < suns_deg[SUNS - 1]) return NAN;
+    if (!is_measured_air(a) || sun < bias_suns_deg[BIAS_SUNS - 1]) return NAN;
     if (!choice->table) return nodes_percent(choice, sun, a);
     bias_table_size(choice, sun, a, &columns, &rows);
     return nodes_percent(choice, sun, a) + table_percent(columns, rows, sun, a);
