@@ -398,9 +398,12 @@ static void test_replace_killed(void **state) {
     assert_true(file_replace(path, bytes, SIZE, &error));
     pid_t child = fork();
     assert_true(child >= 0);
-    for (int i = 1; child == 0; i++) {
-        memset(bytes, i, SIZE);
-        if (!file_replace(path, bytes, SIZE, &error)) _exit(1);
+    /* The child goes on until it is killed. */
+    if (child == 0) {
+        for (int i = 1;; i++) {
+            memset(bytes, i, SIZE);
+            if (!file_replace(path, bytes, SIZE, &error)) _exit(1);
+        }
     }
     usleep(50000);
     kill(child, SIGKILL);

@@ -365,7 +365,7 @@ static RenderParams read_sunward(Scene *scene, const char *path, double azimuth_
 }
 
 static Image take_picture(Renderer *renderer) {
-    Image image;
+    Image image = {0};
     FilmCount count;
     Error error;
     if (!renderer_pass(renderer, 16, NULL, &error) || !film_read(&renderer->film, &image, &count, &error))

@@ -5,6 +5,8 @@
 # a reference of 50 times the samples and another seed (kept in FOLDER). With the disk both are without the 0.1 % worst pixels.
 # Says how many kept their word and the median of true over promised; fails under 90 % or under one half. What `render` itself warns of,
 # sunlight that only chance finds, is counted apart.
+# Options are words without blanks in them, and conditions are awk's.
+# shellcheck disable=SC2016,SC2086
 set -eu
 magichour=$1 folder=$2 size=${3:-48x48} seeds=${4:-1 2} scenes=${5:-crater fences valley mirrors} suns=${6:-60 30 5 -2} percents=${7:-2 1}
 root=$(dirname "$0")/..

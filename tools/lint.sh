@@ -1,54 +1,167 @@
 #!/bin/sh
-# What reviewers should not have to look for: formatting, upward includes, GLSL by a second compiler.
+# What reviewers should not have to look for: formatting, scripts, layers, circles of includes, long files, names of methods and
+# constants where they do not belong, and GLSL that a second compiler refuses. Every finding begins with its file and line.
+# tools/lint.sh [CHECK ...]: all of them by default; the names are those of the functions check_* below.
+# The checks are called by their names, and the names of files have no blanks.
+# shellcheck disable=SC2046,SC2317
 set -eu
+export LC_ALL=C
 cd "$(dirname "$0")/.."
-failed=0
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 
-echo "lint: clang-format"
-git ls-files '*.c' '*.h' '*.hpp' 'src/*.cpp' | xargs clang-format --dry-run -Werror || failed=1
-
-# src/ is layered: a file includes from its own folder and from folders before it in this list.
-echo "lint: upward includes"
-layers="base image scene gl choice sky render error chart view cmd"
-allowed=""
-for layer in $layers; do
-    allowed="$allowed $layer"
-    for file in src/"$layer"/*.[ch] src/"$layer"/*.cpp; do
-        [ -f "$file" ] || continue
-        for included in $(sed -n 's|^#include "\([a-z]*\)/.*|\1|p' "$file"); do
-            case " $allowed " in
-            *" $included "*) ;;
-            *) echo "$file includes $included/, a layer above its own" >&2; failed=1 ;;
-            esac
-        done
-    done
-done
-
-# Each scene, flattened with each method, through the reference compiler: a driver accepts more than the language has.
-echo "lint: glslang"
-magichour=build/magichour
-make -s all
-text=$(mktemp --suffix .frag)
-trap 'rm -f "$text"' EXIT
-check() {
-    if ! "$magichour" flatten "$@" >"$text" || ! glslangValidator -S frag "$text" >"$text.log" 2>&1; then
-        echo "flatten $*:" >&2
-        cat "$text.log" >&2
-        failed=1
-    fi
-    rm -f "$text.log"
+check_format() {
+    git ls-files '*.c' '*.h' '*.hpp' 'src/*.cpp' | xargs clang-format --dry-run -Werror
 }
-for scene in scenes/*.glsl; do
-    for sky in table gauss:4 gauss:12 paper uniform; do check "$scene" --sky $sky; done
-    check "$scene" --sun-disk=chance
-    for sky in table gauss paper; do check "$scene" --sky $sky --atmosphere earth; done
-    for sequence in sobol additive random; do
-        for light in control mis paper cosine; do
-            check "$scene" --light $light --sequence $sequence
-            check "$scene" --light $light --sequence $sequence --sun-disk
-        done
-    done
-done
 
-[ $failed = 0 ] && echo "lint: clean"
+check_scripts() {
+    git ls-files '*.sh' .ci/run | xargs shellcheck -f gcc
+}
+
+check_cppcheck() {
+    cppcheck --quiet -j "$(nproc)" --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
+        --suppress=missingIncludeSystem --template=gcc -D_POSIX_C_SOURCE=200809L -Isrc $(git ls-files 'src/*.c')
+}
+
+# includes FOLDER FILES: one line for each include of a file of FOLDER by another: "file line included".
+includes() {
+    root=$1
+    shift
+    grep -Hn '^ *#include "' "$@" | sed -n "s|^$root/\([^:]*\):\([0-9]*\): *#include \"\([^\"]*\)\".*|\1 \2 \3|p"
+}
+
+# layered FOLDER "a b c=d" FILES: a file includes from its own folder and from folders before it in the list; = joins equals.
+# What stands beside the folders is named like one. Files outside of every layer, such as main.c, may include all.
+layered() {
+    root=$1 layers=$2
+    shift 2
+    includes "$root" "$@" | awk -v root="$root" -v layers="$layers" '
+        function layer(path) { sub("/.*", "", path); return path in level ? level[path] : 0 }
+        BEGIN {
+            n = split(layers, list, " ")
+            for (i = 1; i <= n; i++) { m = split(list[i], equals, "="); for (k = 1; k <= m; k++) level[equals[k]] = i }
+        }
+        layer($3) == 0 { printf "%s/%s:%d: %s is in no known layer\n", root, $1, $2, $3; bad = 1; next }
+        layer($1) && layer($3) > layer($1) {
+            printf "%s/%s:%d: includes %s, of a layer above its own\n", root, $1, $2, $3
+            bad = 1
+        }
+        END { exit bad }'
+}
+
+# circles FOLDER FILES: x.c and x.h count as one. An include is part of a circle if its file is reached again from what it includes.
+circles() {
+    root=$1
+    shift
+    includes "$root" "$@" | awk -v root="$root" '
+        function unit(path) { sub(/\.(c|h|cpp|hpp)$/, "", path); return path }
+        function reaches(from, to, seen, count, queue, i, k, next_) {
+            queue[count = 1] = from
+            for (i = 1; i <= count; i++) {
+                for (k = 1; k <= out[queue[i]]; k++) {
+                    next_ = edge[queue[i], k]
+                    if (next_ == to) return 1
+                    if (!(next_ in seen)) { seen[next_]; queue[++count] = next_ }
+                }
+            }
+            return 0
+        }
+        {
+            a = unit($1); b = unit($3)
+            if (a == b) next
+            edge[a, ++out[a]] = b
+            from[++n] = a; to[n] = b; line[n] = root "/" $1 ":" $2 ": includes " $3
+        }
+        END {
+            for (i = 1; i <= n; i++) if (reaches(to[i], from[i])) { print line[i] ", which leads back here"; bad = 1 }
+            exit bad
+        }'
+}
+
+check_layers() {
+    layered src "base image scene gl choice sky render error view chart cmd" $(git ls-files 'src/*.[ch]' 'src/*.[ch]pp')
+}
+
+check_circles() {
+    circles src $(git ls-files 'src/*.[ch]' 'src/*.[ch]pp')
+}
+
+# The library is pure: only files of pass/ have uniforms and textures, and know of the program's inputs and outputs.
+check_glsl_layers() {
+    found=0
+    layered glsl "math scene.glsl color=shape=distance=material sequence=sky sun=light=emission pass" $(git ls-files 'glsl/*.glsl') || found=1
+    circles glsl $(git ls-files 'glsl/*.glsl') || found=1
+    for file in $(git ls-files 'glsl/*.glsl' ':!glsl/pass'); do
+        sed 's|//.*||' "$file" | grep -nE '^ *(layout.*)?uniform |\<sampler[123]D|\<texture[A-Z(]|\<texel|\<gl_|^#version|^(in|out) ' >"$work/lines" || continue
+        sed "s|^\([0-9]*\):|$file:\1: belongs into glsl/pass: |" "$work/lines"
+        found=1
+    done
+    return "$found"
+}
+
+# A file of src/ has one subject and at most 300 lines. What is longer stands here, with its reason.
+long_files=""
+check_length() {
+    found=0
+    for file in $(git ls-files 'src/*.[ch]' 'src/*.[ch]pp'); do
+        lines=$(wc -l <"$file")
+        [ "$lines" -gt 300 ] || continue
+        case " $long_files " in *" $file "*) continue ;; esac
+        echo "$file:301: the file has $lines lines, more than 300"
+        found=1
+    done
+    return "$found"
+}
+
+# A method is told by what its row says, not by its name. ("off" is a word of scene files too.)
+check_methods() {
+    names=$(sed -n 's/.*\.name = "\([a-z]*\)".*/\1/p' src/choice/method.c | grep -v '^off$' | sort -u | paste -sd '|')
+    [ -n "$names" ] || { echo "src/choice/method.c:1: no row with a name was found"; return 1; }
+    ! grep -nE "strn?cmp\([^;]*\"($names)[\":]" $(git ls-files 'src/*.[ch]' 'src/*.[ch]pp' ':!src/choice/method.c')
+}
+
+# One pi, in base/vec3.h, and one in glsl/math.
+check_constants() {
+    ! grep -nE 'M_PI|3\.1415|#define +(pi|PI)|(double|float) +(pi|PI|degree|DEGREE) *=' \
+        $(git ls-files 'src/*.[ch]' 'src/*.[ch]pp' 'glsl/*.glsl' ':!src/base' ':!glsl/math')
+}
+
+# Every program of each scene, with each method, through the reference compiler: a driver accepts more than the language has.
+check_glslang() {
+    make -s all
+    for scene in scenes/*.glsl; do
+        for sky in table gauss:4 gauss:12 paper uniform; do echo "$scene --sky $sky"; done
+        echo "$scene --sun-disk=chance"
+        for sky in table gauss paper; do echo "$scene --sky $sky --atmosphere earth"; done
+        for light in control mis paper cosine; do
+            for sequence in sobol additive random; do
+                echo "$scene --light $light --sequence $sequence"
+                echo "$scene --light $light --sequence $sequence --sun-disk"
+            done
+        done
+    done >"$work/choices"
+    xargs -a "$work/choices" -d '\n' -n 1 -P "$(nproc)" "$0" --flatten
+}
+
+# One choice: its program is cut and given to the compiler. Messages of glslang's begin "ERROR: file:line:".
+if [ "${1-}" = --flatten ]; then
+    # shellcheck disable=SC2086
+    if ! build/magichour flatten $2 >"$work/program.frag" 2>"$work/log"; then
+        echo "${2%% *}:1: flatten $2: $(cat "$work/log")"
+        exit 1
+    fi
+    glslangValidator "$work/program.frag" >"$work/log" && exit 0
+    echo "${2%% *}:1: flatten $2:"
+    cat "$work/log"
+    exit 1
+fi
+
+failed=0
+[ $# -gt 0 ] || set -- format scripts cppcheck layers circles glsl_layers length methods constants glslang
+for check in "$@"; do
+    start=$(date +%s)
+    result=clean
+    "check_$check" || result=FAILED failed=1
+    echo "lint: $check: $result, $(($(date +%s) - start)) s"
+done
 exit $failed

@@ -2,6 +2,7 @@
 #include "chart/curve.h"
 #include "chart/identity.h"
 #include "chart/plot.h"
+#include "choice/method.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -246,7 +247,7 @@ static void draw_panel(const Paths *paths, Plot *plot, int which, const char *ti
         char label[112];
         if (!(curve->panels & which)) continue;
         if (which == PANEL_LIGHTS) {
-            bool plain = strcmp(curve->curve.row.words[2], "sobol") == 0;
+            bool plain = strcmp(curve->curve.row.words[2], method_family(METHOD_SEQUENCE)->fallback) == 0;
             snprintf(label, sizeof label, "%s, %s", curve->curve.row.words[1],
                      curve->curve.row.words[plain ? 3 : 2]);
         } else {

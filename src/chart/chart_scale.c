@@ -177,7 +177,7 @@ static bool measure(Scale *scale, What what, Error *error) {
     int count = count_steps(what);
     if (points_of(scale, what, x, y) == count) return true;
     Step *steps = memory_get((size_t)count, sizeof *steps);
-    Monitor monitor = monitor_part(&scale->params->monitor, (double)what / WHATS, (what + 1.0) / WHATS);
+    Monitor monitor = monitor_part(&scale->params->monitor, (double)what / WHATS, (double)(what + 1) / WHATS);
     bool ok = true;
     for (int i = 0; ok && i < count && !monitor_stopped(&monitor); i++)
         ok = open_step(scale, &steps[i], what, sweeps[what].steps[i], error);

@@ -80,7 +80,8 @@ Rectangle camera_cone_rectangle(const Camera *camera, const double axis[3], doub
     Ellipse e;
     if (!camera_cone(camera, axis, half_angle, &e)) {
         bool behind = vec3_dot(axis, camera->forward) <= -sin(half_angle);
-        return behind ? (Rectangle){0} : (Rectangle){0, 0, camera->width, camera->height};
+        if (behind) return (Rectangle){0};
+        return (Rectangle){0, 0, camera->width, camera->height};
     }
     /* The ellipse is centre + inverse(shape) * (unit circle). Half the width of its box is the length of the
      * first row of the inverse, and half the height is the length of the second. */

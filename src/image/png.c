@@ -68,10 +68,10 @@ static void bytes_flush(png_structp png) {
 static void attributes_set(png_structp png, png_infop info, const AttributeList *attributes) {
     for (int i = 0; attributes && i < attributes->count; i++) {
         /* The other kinds of text are Latin-1. Keys and texts are copied; the type is not const. */
-        png_text text = {.compression = PNG_ITXT_COMPRESSION_NONE,
-                         .key = (png_charp)attributes->items[i].name,
-                         .text = attributes->items[i].value};
-        png_set_text(png, info, &text, 1);
+        png_text chunk = {.compression = PNG_ITXT_COMPRESSION_NONE,
+                          .key = (png_charp)attributes->items[i].name,
+                          .text = attributes->items[i].value};
+        png_set_text(png, info, &chunk, 1);
     }
 }
 

@@ -122,7 +122,7 @@ typedef struct Strips {
 } Strips;
 
 static Strips cut(const SunDisk *disk, const Camera *camera) {
-    Strips strips;
+    Strips strips = {0};
     double elevation = asin(disk->middle[1]), slope = tan(disk->radius);
     double from = fmax(tan(fmin(asin(disk->horizon) - elevation, disk->radius)) / slope, -1);
     for (int k = 0; k <= STRIPS; k++) {

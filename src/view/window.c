@@ -143,7 +143,8 @@ void window_poll(Window *window, double seconds) {
         glfwWaitEventsTimeout(seconds);
     else
         glfwPollEvents();
-    /* A wait ends with the event. */
+    /* GLFW has called for the events that came meanwhile. A wait ends with the event. */
+    /* cppcheck-suppress incorrectLogicOperator */
     if (!count && window->event_count) window->heard = seconds > 0 ? clock_seconds() : window->polled;
     window->polled = before;
     measure(window);
