@@ -4,35 +4,16 @@
 #include "choice/auto.h"
 #include "cmd/cmd.h"
 #include "cmd/interrupt.h"
-#include "cmd/progress.h"
+#include "cmd/render_job.h"
 #include "cmd/setup.h"
-#include "error/adaptive.h"
 #include "image/format.h"
-#include "render/aov.h"
 #include "render/describe.h"
-#include "render/renderer.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-typedef struct Job {
-    const Options *options;
-    char *library;
-    Scene scene;
-    Context context;
-    Renderer renderer;
-    Adaptive adaptive;
-    unsigned aov_kinds;
-    Aov aov;
-    Image image;
-    FilmCount count;
-    FilmSearch search;
-    bool variance_unknown; /* somewhere */
-    ProgressFigures figures;
-} Job;
 
 static bool check_outputs(const Options *options, Error *error) {
     if (!options->output_count)
@@ -55,7 +36,7 @@ static bool check_aov(const Options *options, unsigned *kinds, Error *error) {
     return !*kinds || error_set(error, STATUS_USAGE, "--aov: only .exr holds layers, and no -o names one");
 }
 
-static bool prepare(Job *job, Error *error) {
+static bool prepare(RenderJob *job, Error *error) {
     const Options *options = job->options;
     if (!check_outputs(options, error) || !check_aov(options, &job->aov_kinds, error) ||
         !setup_library(options, &job->library, error) || !setup_scene(options, &job->scene, error)) {
@@ -91,7 +72,7 @@ static double wanted_error(const Options *options) {
 }
 
 /* The sky's, as far as it is known. */
-static double known_bias(const Job *job) {
+static double known_bias(const RenderJob *job) {
     return isnan(job->renderer.sky_bias_percent) ? 0 : job->renderer.sky_bias_percent;
 }
 
@@ -109,7 +90,7 @@ static bool enough(const ProgressFigures *figures) {
 }
 
 /* Towards less error than there is by now, if time is all that limits. */
-static bool sample(Job *job, Error *error) {
+static bool sample(RenderJob *job, Error *error) {
     const ProgressFigures *figures = &job->figures;
     double percent = figures->target_noise_percent;
     if (figures->target_samples)
@@ -119,23 +100,21 @@ static bool sample(Job *job, Error *error) {
     return adaptive_round(&job->adaptive, &job->renderer, percent, interrupt_requested, error);
 }
 
-static bool read_picture(Job *job, Error *error) {
+static bool read_picture(RenderJob *job, Error *error) {
     const Film *film = &job->renderer.film;
     if (!film_read(film, &job->image, &job->count, error) || !film_read_search(film, &job->search, error) ||
         !aov_read(&job->aov, film, &job->image, error)) {
         return false;
     }
-    for (int i = 0; i < job->image.layer_count; i++) {
-        if (strcmp(job->image.layers[i].name, "variance") != 0) continue;
-        float *variance = job->image.layers[i].data;
-        noise_calibrate(&job->adaptive.noise, variance);
-        for (size_t k = 0; k < 3 * (size_t)film->width * (size_t)film->height; k++)
-            job->variance_unknown |= isnan(variance[k]);
-    }
+    float *variance = aov_variance(&job->aov, &job->image);
+    if (!variance) return true;
+    noise_calibrate(&job->adaptive.noise, variance);
+    for (size_t i = 0; i < 3 * (size_t)film->width * (size_t)film->height; i++)
+        job->variance_unknown |= isnan(variance[i]);
     return true;
 }
 
-static bool render(Job *job, Error *error) {
+static bool render(RenderJob *job, Error *error) {
     const Options *options = job->options;
     ProgressFigures *figures = &job->figures;
     Progress progress = progress_start(options);
@@ -175,7 +154,7 @@ static bool render(Job *job, Error *error) {
 }
 
 /* The metadata: enough to make the picture again. */
-static void describe(const Job *job, int argc, char **argv, AttributeList *list) {
+static void describe(const RenderJob *job, int argc, char **argv, AttributeList *list) {
     Text command = {0};
     text_print_command(&command, argc, argv);
     attribute_add(list, "magichour.version", "%s", MAGICHOUR_VERSION);
@@ -202,7 +181,7 @@ static void describe(const Job *job, int argc, char **argv, AttributeList *list)
     text_free(&command);
 }
 
-static bool write_outputs(const Job *job, int argc, char **argv, Error *error) {
+static bool write_outputs(const RenderJob *job, int argc, char **argv, Error *error) {
     const Options *options = job->options;
     AttributeList attributes = {0};
     bool ok = true;
@@ -218,105 +197,7 @@ static bool write_outputs(const Job *job, int argc, char **argv, Error *error) {
     return ok;
 }
 
-static void say_why(const char *what, const MethodChoice *choice) {
-    if (choice->why[0]) fprintf(stderr, "auto took %s %s: %s\n", what, choice->text, choice->why);
-}
-
-static void say_choices(const Job *job) {
-    const Renderer *renderer = &job->renderer;
-    fprintf(stderr, "backend %s (%s): %s, OpenGL %s\n", job->context.backend->name, job->context.detail,
-            job->context.renderer, job->context.version);
-    fprintf(stderr, "sky %s, sun disk %s, light %s, sequence %s, at most %d hits, groups of %u samples\n",
-            renderer->sky.choice.text, renderer->sun_disk.text, renderer->light.text, renderer->sequence.text,
-            renderer->max_hits, renderer->group_samples);
-    say_why("sky", &renderer->sky.choice);
-    say_why("light", &renderer->light);
-    if (renderer->sky.choice.table) {
-        fprintf(stderr, "the sky's table: twice %dx%d directions, above the horizon and below\n",
-                renderer->sky.columns, renderer->sky.rows);
-    }
-    fprintf(stderr, "compiled: %s\n", text_string(&renderer->source_files));
-}
-
-/* What the picture errs, and in what. */
-static void say_error(const Job *job) {
-    const ProgressFigures *figures = &job->figures;
-    double bias = job->renderer.sky_bias_percent;
-    if (figures->error_percent < INFINITY) {
-        printf("; estimated error %.3g %%%s: noise %.3g %%", figures->error_percent,
-               job->adaptive.noise.trim > 0 ? " without the 0.1 % worst pixels" : "", figures->noise_percent);
-    }
-    if (isnan(bias))
-        printf("; the sky's bias is not known here");
-    else if (bias > 0)
-        printf("%s sky %.2g %% at most", figures->error_percent < INFINITY ? "," : ";", bias);
-    if (job->options->depth) printf("; without what --depth cuts");
-    if (bias > figures->target_error_percent && figures->target_error_percent > 0)
-        printf("; such a sky errs more than was asked for");
-}
-
-static void say_summary(const Job *job) {
-    const ProgressFigures *figures = &job->figures;
-    const Adaptive *adaptive = &job->adaptive;
-    for (int i = 0; i < job->options->output_count; i++)
-        printf("%s%s", i ? ", " : "", job->options->outputs[i]);
-    printf(": %.4g samples", figures->samples);
-    if (adaptive->most > adaptive->least)
-        printf(" (%" PRIu64 " to %" PRIu64 ")", adaptive->least, adaptive->most);
-    printf(", %.4g Mpaths in %.2f s, %.2f Mpaths/s (and %.2f s to start)", 1e-6 * (double)figures->paths,
-           figures->seconds, 1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9),
-           figures->startup_seconds);
-    say_error(job);
-    printf("\n");
-}
-
-static void warn_search(const Job *job) {
-    const FilmSearch *search = &job->search;
-    const char *path = job->scene.file->path;
-    if (job->options->verbose && search->rays > 0) {
-        fprintf(stderr, "searches: %.4g rays, %.1f steps each, %.0f cut\n", search->rays,
-                search->steps / search->rays, search->cut);
-    }
-    if (search->broken > 0) {
-        fprintf(stderr,
-                "magichour: warning: %s: %.2g %% of the rays that marched met a field that changes faster "
-                "than the distance, or is no number: "
-                "there may be holes; divide scene_distance() by its largest slope\n",
-                path, 100 * search->broken / search->rays);
-    }
-    if (search->cut > 1e-6 * search->rays) {
-        fprintf(stderr,
-                "magichour: warning: %s: %.2g %% of the rays that searched were cut after as many steps as "
-                "they may take: they may "
-                "have missed something thin\n",
-                path, 100 * search->cut / search->rays);
-    }
-}
-
-static void warn(const Job *job) {
-    if (job->variance_unknown) {
-        fprintf(stderr,
-                "magichour: warning: --aov variance is not known from %u samples or fewer: there it is NaN\n",
-                job->renderer.group_samples);
-    }
-    if (job->figures.rejected) {
-        fprintf(stderr,
-                "magichour: warning: %" PRIu64 " of %" PRIu64 " samples were not finite%s and are left out\n",
-                job->figures.rejected, job->figures.paths,
-                job->search.rays > 0 ? ", or took more loops than the driver allows," : "");
-    }
-    if (job->renderer.sun_by_chance) {
-        fprintf(
-            stderr,
-            "magichour: warning: %s: sunlight that glass throws, or mirrors that the scene does not name, "
-            "is found by chance: "
-            "the estimated error knows nothing of what no sample has met\n",
-            job->scene.file->path);
-    }
-    warn_search(job);
-}
-
-static void release(Job *job) {
+static void release(RenderJob *job) {
     image_free(&job->image);
     aov_destroy(&job->aov);
     adaptive_destroy(&job->adaptive);
@@ -328,18 +209,18 @@ static void release(Job *job) {
 
 Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
     double start = clock_seconds();
-    Job job = {.options = options};
+    RenderJob job = {.options = options};
     error->status = STATUS_DONE;
     interrupt_install();
     bool ok = prepare(&job, error);
     if (ok) {
         job.figures.startup_seconds = clock_seconds() - start;
-        if (options->verbose) say_choices(&job);
+        if (options->verbose) render_say_choices(&job);
         ok = render(&job, error) && write_outputs(&job, argc, argv, error);
     }
     if (ok) {
-        if (!options->quiet) say_summary(&job);
-        warn(&job);
+        if (!options->quiet) render_say_summary(&job);
+        render_warn(&job);
     }
     bool interrupted = job.figures.interrupted;
     release(&job);

@@ -199,3 +199,8 @@ bool aov_read(const Aov *aov, const Film *film, Image *image, Error *error) {
     return !(aov->kinds & AOV_VARIANCE) ||
            film_read_variance(film, image_add_layer(image, "variance", "RGB"), error);
 }
+
+float *aov_variance(const Aov *aov, const Image *image) {
+    /* aov_read() adds it last. */
+    return aov->kinds & AOV_VARIANCE ? image->layers[image->layer_count - 1].data : NULL;
+}

@@ -64,3 +64,6 @@ MUST_CHECK bool aov_read_pixel(const Aov *aov, unsigned samples, int x, int y, A
 
 /* Adds the layers to the image that was read from `film`. */
 MUST_CHECK bool aov_read(const Aov *aov, const Film *film, Image *image, Error *error);
+
+/* The layer of variances that aov_read() added; NULL where they were not asked for. */
+float *aov_variance(const Aov *aov, const Image *image);

@@ -1,0 +1,103 @@
+#include "cmd/render_job.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+
+static void say_why(const char *what, const MethodChoice *choice) {
+    if (choice->why[0]) fprintf(stderr, "auto took %s %s: %s\n", what, choice->text, choice->why);
+}
+
+void render_say_choices(const RenderJob *job) {
+    const Renderer *renderer = &job->renderer;
+    fprintf(stderr, "backend %s (%s): %s, OpenGL %s\n", job->context.backend->name, job->context.detail,
+            job->context.renderer, job->context.version);
+    fprintf(stderr, "sky %s, sun disk %s, light %s, sequence %s, at most %d hits, groups of %u samples\n",
+            renderer->sky.choice.text, renderer->sun_disk.text, renderer->light.text, renderer->sequence.text,
+            renderer->max_hits, renderer->group_samples);
+    say_why("sky", &renderer->sky.choice);
+    say_why("light", &renderer->light);
+    if (renderer->sky.choice.table) {
+        fprintf(stderr, "the sky's table: twice %dx%d directions, above the horizon and below\n",
+                renderer->sky.columns, renderer->sky.rows);
+    }
+    fprintf(stderr, "compiled: %s\n", text_string(&renderer->source_files));
+}
+
+/* What the picture errs, and in what. */
+static void say_error(const RenderJob *job) {
+    const ProgressFigures *figures = &job->figures;
+    double bias = job->renderer.sky_bias_percent;
+    if (figures->error_percent < INFINITY) {
+        printf("; estimated error %.3g %%%s: noise %.3g %%", figures->error_percent,
+               job->adaptive.noise.trim > 0 ? " without the 0.1 % worst pixels" : "", figures->noise_percent);
+    }
+    if (isnan(bias))
+        printf("; the sky's bias is not known here");
+    else if (bias > 0)
+        printf("%s sky %.2g %% at most", figures->error_percent < INFINITY ? "," : ";", bias);
+    if (job->options->depth) printf("; without what --depth cuts");
+    if (bias > figures->target_error_percent && figures->target_error_percent > 0)
+        printf("; such a sky errs more than was asked for");
+}
+
+void render_say_summary(const RenderJob *job) {
+    const ProgressFigures *figures = &job->figures;
+    const Adaptive *adaptive = &job->adaptive;
+    for (int i = 0; i < job->options->output_count; i++)
+        printf("%s%s", i ? ", " : "", job->options->outputs[i]);
+    printf(": %.4g samples", figures->samples);
+    if (adaptive->most > adaptive->least)
+        printf(" (%" PRIu64 " to %" PRIu64 ")", adaptive->least, adaptive->most);
+    printf(", %.4g Mpaths in %.2f s, %.2f Mpaths/s (and %.2f s to start)", 1e-6 * (double)figures->paths,
+           figures->seconds, 1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9),
+           figures->startup_seconds);
+    say_error(job);
+    printf("\n");
+}
+
+static void warn_search(const RenderJob *job) {
+    const FilmSearch *search = &job->search;
+    const char *path = job->scene.file->path;
+    if (job->options->verbose && search->rays > 0) {
+        fprintf(stderr, "searches: %.4g rays, %.1f steps each, %.0f cut\n", search->rays,
+                search->steps / search->rays, search->cut);
+    }
+    if (search->broken > 0) {
+        fprintf(stderr,
+                "magichour: warning: %s: %.2g %% of the rays that marched met a field that changes faster "
+                "than the distance, or is no number: "
+                "there may be holes; divide scene_distance() by its largest slope\n",
+                path, 100 * search->broken / search->rays);
+    }
+    if (search->cut > 1e-6 * search->rays) {
+        fprintf(stderr,
+                "magichour: warning: %s: %.2g %% of the rays that searched were cut after as many steps as "
+                "they may take: they may "
+                "have missed something thin\n",
+                path, 100 * search->cut / search->rays);
+    }
+}
+
+void render_warn(const RenderJob *job) {
+    if (job->variance_unknown) {
+        fprintf(stderr,
+                "magichour: warning: --aov variance is not known from %u samples or fewer: there it is NaN\n",
+                job->renderer.group_samples);
+    }
+    if (job->figures.rejected) {
+        fprintf(stderr,
+                "magichour: warning: %" PRIu64 " of %" PRIu64 " samples were not finite%s and are left out\n",
+                job->figures.rejected, job->figures.paths,
+                job->search.rays > 0 ? ", or took more loops than the driver allows," : "");
+    }
+    if (job->renderer.sun_by_chance) {
+        fprintf(
+            stderr,
+            "magichour: warning: %s: sunlight that glass throws, or mirrors that the scene does not name, "
+            "is found by chance: "
+            "the estimated error knows nothing of what no sample has met\n",
+            job->scene.file->path);
+    }
+    warn_search(job);
+}
