@@ -21,12 +21,14 @@ uniform float spacing; //@ slider 2.6  min 2  max 4  unit m  label "from arch to
 uniform float opening; //@ slider 2  min 0.8  max 2.6  unit m  label "width of an arch"
 uniform float wall;    //@ slider 0.5  min 0.1  max 1  unit m  label "thickness of the wall"
 
-const float COUNT = 6.0; // arches along z
-const float HIGH = 3.6;  // m
+// The number of arches along z.
+const float COUNT = 6.0;
+// The height of the arcade in metres.
+const float HIGH = 3.6;
 const int GROUND = 0;
 const int ARCADE = 1;
 
-// The opening of an arch across x: a door with half a disk on it. And the vaulted passage along z behind.
+// The opening of an arch, across x: a door with half a disk on top.
 float arch(vec3 p) {
     float radius = min(0.5 * opening, 0.47 * spacing);
     float door = distance_box(p, vec3(0.0), vec3(2.0, 1.6, radius));
@@ -35,6 +37,7 @@ float arch(vec3 p) {
 
 float scene_distance(vec3 p) {
     float half_length = 0.5 * COUNT * spacing;
+    // The arcade is a block without the vaulted passage along z and without the arches' openings.
     float block = distance_box(p, vec3(0.0, 0.5 * HIGH, 0.0), vec3(1.3 + wall, 0.5 * HIGH, half_length));
     float room = distance_box(p, vec3(0.0), vec3(1.3, 1.8, half_length + 1.0));
     float vault = distance_cylinder(p, vec3(0.0, 1.8, -half_length - 1.0), vec3(0.0, 1.8, half_length + 1.0), 1.3);

@@ -9,7 +9,7 @@
 //@ preset  twilight  sun.elevation -2  exposure 4
 //@ preset  author    sun.elevation 2.862  atmosphere.rayleigh_scatter_per_m 3.8e-6,1.35e-5,3.31e-5
 
-// Simmons 2017, his mirror ball with his numbers (his picture is the mirror image). It keeps what his absorbance leaves.
+// The mirror ball of Simmons 2017, with his numbers. His picture is the mirror image of this one. The ball reflects what his absorbance leaves.
 #include "material/mirror.glsl"
 #include "shape/sphere.glsl"
 

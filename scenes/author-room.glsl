@@ -12,9 +12,10 @@
 //@ preset  twilight  sun.elevation -2
 //@ preset  daylight  radiance 0  exposure 1
 
-// The room of the paper's author, open above and behind the camera, with his materials. Coordinates are his; he shows them mirrored.
-// What is empty is a union of convex parts, each an interval of the ray: the room, what lies behind its walls' ends and above them,
-// and the ball that is taken out of the back wall and the floor.
+// The room of the paper's author, with his materials. It is open above and behind the camera. The coordinates are his; his picture is mirrored.
+//
+// The empty space is a union of convex parts, and each part is an interval of a ray: the room, the space behind the ends of its walls, the space
+// above them, and the ball that is taken out of the back wall and the floor.
 #include "material/author.glsl"
 #include "material/emitter.glsl"
 #include "material/mirror.glsl"
@@ -38,7 +39,7 @@ const int YELLOW = 10;
 const int CYAN = 11;
 const int MAGENTA = 12;
 
-// Where the ray is beyond a plane, on the side that `normal` points to.
+// Returns the part of the ray beyond a plane, on the side that `normal` points to.
 Interval beyond(Ray ray, vec3 normal, float offset) {
     float height = dot(normal, ray.origin) - offset;
     float slope = dot(normal, ray.direction);
@@ -46,7 +47,7 @@ Interval beyond(Ray ray, vec3 normal, float offset) {
     return slope >= 0.0 ? Interval(t, INFINITY, -normal, normal) : Interval(-INFINITY, t, normal, -normal);
 }
 
-// Goes on through a part that holds the place where the ray is so far.
+// Moves the ray's end through a part of the empty space, if the end is in that part.
 void pass_through(Interval part, int object, INOUT(Hit) wall) {
     if (part.enter <= wall.t + 1.0e-5 && part.leave > wall.t) {
         wall.t = part.leave;
@@ -66,7 +67,8 @@ void hit_walls(Ray ray, INOUT(Hit) hit) {
     Interval above = beyond(ray, y, 4.0);
     Hit wall = hit_none();
     wall.t = 0.0;
-    for (int i = 0; i < 3; i++) { // convex: a ray comes to each part once
+    // The parts are convex, so a ray comes to each of them once.
+    for (int i = 0; i < 3; i++) {
         pass_through(behind, ENDS, wall);
         pass_through(room, WALLS, wall);
         pass_through(ball, HOLLOW, wall);

@@ -6,7 +6,7 @@
 //@ exposure -1
 //@ emitter-sphere  0.2 2.2 0.5  lamp
 
-// A closed room of matte walls, and a lamp, a mirror and a glass in it: tools/peer_box_room.py draws the same with Mitsuba.
+// A closed room of matte walls with a lamp, a mirror ball and a glass ball. tools/peer_box_room.py renders the same room with Mitsuba.
 #include "material/emitter.glsl"
 #include "material/glass.glsl"
 #include "material/matte.glsl"

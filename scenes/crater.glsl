@@ -11,8 +11,8 @@
 //@ preset  early-evening  sun.elevation -2  exposure 4
 //@ preset  twilight       sun.elevation -2  exposure 4
 
-// The paper's scene: a checkered plane with a crater, and a mirror ball that floats in it. The author's floor is white
-// and black; these albedos let other renderers draw the same.
+// The paper's scene: a checkered plane with a crater, and a mirror ball that floats in it. The author's floor is white and black. The albedos
+// here are such that other renderers can draw the same picture.
 #include "color/checker.glsl"
 #include "material/matte.glsl"
 #include "material/mirror.glsl"

@@ -8,8 +8,10 @@
 //@ preset  sunset    sun.elevation 5   exposure 0.5
 //@ preset  twilight  sun.elevation -2  exposure 4
 
-// Seen from the camera, left to right. Back: union, intersection, subtraction. Middle: the smooth three. Front: a shell (its lid cut
-// off), rounded and rotated, elongated.
+// Seen from the camera, from left to right:
+//   * in the back row union, intersection and subtraction;
+//   * in the middle row the same three, smooth;
+//   * in the front row a shell whose lid is cut off, a rounded and rotated box, and an elongated torus.
 #include "distance/boolean.glsl"
 #include "distance/box.glsl"
 #include "distance/elongate.glsl"

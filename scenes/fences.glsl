@@ -10,7 +10,7 @@
 //@ preset  twilight  sun.elevation -2  exposure 4
 //@ preset  along     camera.eye 1.2,0.97,1.2  camera.target -3,0.8,1.55  camera.fov 40
 
-// Post and rail goes away from the camera, post and wire across.
+// A fence of posts and rails leads away from the camera. A fence of posts and wires stands across the view.
 #include "color/noise.glsl"
 #include "material/matte.glsl"
 #include "shape/box.glsl"
@@ -21,8 +21,10 @@ uniform float wire;    //@ slider 6  min 0.5  max 20  unit mm  label "thickness 
 uniform float rail;    //@ slider 80  min 10  max 200  unit mm  label "height of the rails"
 uniform float spacing; //@ slider 2.5  min 1  max 10  unit m  label "from post to post"
 
-const int POSTS = 10; // along each fence
-const float ACROSS = 1.5; // m; where the wires are
+// The number of posts of each fence.
+const int POSTS = 10;
+// The z of the wires in metres.
+const float ACROSS = 1.5;
 const int GROUND = 0;
 const int WOOD = 1;
 const int WIRE = 2;

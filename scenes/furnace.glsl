@@ -4,7 +4,7 @@
 //@ size    256 256
 //@ sky     uniform:1
 
-// Any picture but plain white is a fault: light lost or made up by a bounce, a seam, a ray that starts inside a surface.
+// Every pixel must be 1. Any other picture shows a fault: light that a bounce loses or makes up, a seam, or a ray that starts inside a surface.
 #include "material/matte.glsl"
 #include "material/mirror.glsl"
 #include "shape/plane_minus_sphere.glsl"

@@ -20,7 +20,7 @@ uniform float thickness;  //@ slider 0.03  min 0.01  max 0.1  unit m  label "of 
 const int GROUND = 0;
 const int GYROID = 1;
 
-// The gyroid's level set is no distance: its gradient is at most sqrt(3), by which it is divided.
+// The gyroid's level set is not a distance. Its gradient is at most sqrt(3) * cells, so it is divided by that.
 float scene_distance(vec3 p) {
     vec3 q = cells * p;
     float level = dot(sin(q), vec3(cos(q.y), cos(q.z), cos(q.x)));

@@ -9,7 +9,7 @@
 //@ preset  twilight  sun.elevation -2  exposure 7.5
 //@ preset  outside   camera.eye -7,2,-5  camera.target 0,1.3,0  camera.fov 45  exposure 0
 
-// Light finds it hard: of the paths in the room few leave by the window. Walls are boxes that run into each other.
+// This scene is hard to render, because few of the paths in the room leave by the window. The walls are boxes that run into each other.
 #include "color/checker.glsl"
 #include "material/matte.glsl"
 #include "shape/box.glsl"
@@ -24,7 +24,8 @@ const int GROUND = 0;
 const int WALL = 1;
 const int TABLE = 2;
 const int BALL = 3;
-const float THICK = 0.1; // half of the walls' thickness, m
+// Half of the walls' thickness in metres.
+const float THICK = 0.1;
 
 // The room is 4.4 m by 6 m and 2.6 m high; the window is in the wall at -x, from 0.9 m to 2.1 m.
 void scene_intersect(Ray ray, INOUT(Hit) hit) {
@@ -49,7 +50,8 @@ Material scene_material(Hit hit) {
     if (hit.object == TABLE) return matte(vec3(0.45, 0.3, 0.18));
     if (hit.object == BALL) return matte(vec3(0.2, 0.35, 0.7));
     if (hit.object == GROUND) return matte(vec3(0.3, 0.35, 0.2));
-    vec3 in_room = vec3(2.2, 1.3, 3.0) - abs(hit.position - vec3(0.0, 1.3, 0.0)); // m before its walls
+    // The distances from the room's walls in metres, along each axis. A negative one means that the place is outside of the room.
+    vec3 in_room = vec3(2.2, 1.3, 3.0) - abs(hit.position - vec3(0.0, 1.3, 0.0));
     if (min(min(in_room.x, in_room.y), in_room.z) < -0.001) return matte(vec3(albedo));
     if (hit.position.y < 0.001) return matte(checker(2.0 * hit.position, vec3(0.6, 0.45, 0.3), vec3(0.45, 0.32, 0.2)));
     if (in_room.z < 0.001 && hit.position.z > 0.0) return matte(vec3(0.7, 0.2, 0.15));

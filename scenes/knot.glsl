@@ -20,14 +20,18 @@ uniform float finish; //@ slider 0.25  label "roughness of the gold"
 const int GROUND = 0;
 const int KNOT = 1;
 const vec3 CENTRE = vec3(0.0, 1.0, 0.0);
-const float MAJOR = 1.1; // m; the ring about which the tube winds
-const float MINOR = 0.4; // how far from it
-const float TURNS = 1.5; // about the ring, while it goes round once: after two rounds it meets itself
+// The radius of the ring about which the tube winds, and the tube's distance from the ring, in metres.
+const float MAJOR = 1.1;
+const float MINOR = 0.4;
+// How often the tube winds about the ring while it goes round once. After two rounds it meets itself.
+const float TURNS = 1.5;
+// The width of the space about the fat ring (below) in which the knot's own distance is used, in metres.
 const float SPARE = 0.1;
 
-// Across the ring the tube is two circles, which turn with the azimuth: a metre along a circle of that radius turns them by
-// TURNS / radius, and so moves them by MINOR times that. Divided by the steepness at the ring's inner edge this is a distance
-// inside a fat ring that contains the knot; elsewhere the ring's own distance is below the knot's.
+// In a plane through the ring's axis, the tube is two circles. They turn with the azimuth: a metre along a circle about the axis turns them by
+// TURNS / radius, and therefore moves them by MINOR * TURNS / radius.
+// The distance to the two circles is divided by the steepness at the inner edge of a fat ring that contains the knot. The result is never more
+// than the distance inside the fat ring. Elsewhere the distance to the fat ring is used, which is below the distance to the knot.
 float scene_distance(vec3 p) {
     vec3 q = p - CENTRE;
     float ring = distance_torus(q, vec3(0.0), vec3(0.0, 1.0, 0.0), MAJOR, MINOR + tube);

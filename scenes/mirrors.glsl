@@ -29,8 +29,8 @@ const int FRAME = 2;
 const int BODY = 3;
 const int HEAD = 4;
 
-// A mirror is a box within a frame that is a little thinner, with narrow sides of wood; the far pair lies in a space that is turned
-// about the vertical.
+// A mirror is a box in a frame that is a little thinner. The box's narrow sides are wood. The far mirror and its frame lie in a space that is
+// turned about the vertical.
 void hit_framed(Ray ray, vec3 centre, INOUT(Hit) hit) {
     Hit pane = hit;
     hit_box(ray, centre, vec3(1.2, 0.75, 0.03), MIRROR, pane);

@@ -28,12 +28,13 @@ const int PILLAR = 1;
 // A pillar about the origin: a shaft between two slabs.
 float pillar(vec3 p) {
     float shaft = distance_cylinder(p, vec3(0.0), vec3(0.0, height, 0.0), radius);
-    vec3 to_slab = vec3(p.x, abs(p.y - 0.5 * height) - 0.5 * height, p.z); // both slabs at once
+    // The absolute value makes one slab stand for both.
+    vec3 to_slab = vec3(p.x, abs(p.y - 0.5 * height) - 0.5 * height, p.z);
     float slab = op_round(distance_box(to_slab, vec3(0.0), vec3(1.3 * radius, 0.06, 1.3 * radius)), 0.02);
     return op_union(shaft, slab);
 }
 
-// The nearest pillar stands in p's cell, or in one of the three that p's quarter of the cell is near to.
+// The nearest pillar stands in the cell of p, or in one of the three neighbours next to the quarter of the cell where p is.
 float scene_distance(vec3 p) {
     float d = INFINITY;
     for (int i = 0; i < 4; i++) d = min(d, pillar(repeat_cell(p, vec3(spacing, 0.0, spacing), COUNT, i)));

@@ -9,8 +9,8 @@
 //@ preset  twilight  sun.elevation -2  exposure 4
 //@ preset  marched   marched 1
 
-// On a plane, seen from the camera, left to right. Back: cone, cylinder, capsule, torus, disk. Front: sphere, box, rounded box,
-// ellipsoid.
+// Shapes on a plane. Seen from the camera, from left to right, these are cone, cylinder, capsule, torus and disk in the back row; and sphere, box,
+// rounded box and ellipsoid in the front row.
 #include "distance/box.glsl"
 #include "distance/capsule.glsl"
 #include "distance/cone.glsl"
@@ -41,14 +41,16 @@ uniform float flat_m;  //@ slider 0.3  min 0.1  max 0.6  unit m  label "half of 
 const vec3 TILT = vec3(0.0, 0.8, -0.6);
 const int GROUND = 0;
 const int SHAPE = 1;
-const int DISK = 2; // the one with two sides and no inside
+// The disk is the only shape with two sides and no inside.
+const int DISK = 2;
 
 float scene_distance(vec3 p) {
     float d = distance_cone(p, vec3(2.6, 0.0, 1.0), vec3(2.6, 1.1, 1.0), 0.5);
     d = min(d, distance_cylinder(p, vec3(1.3, 0.0, 1.0), vec3(1.3, 1.0, 1.0), 0.45));
     d = min(d, distance_capsule(p, vec3(0.0, 0.3, 1.0), vec3(0.0, 0.9, 1.0), 0.3));
     d = min(d, distance_torus(p, vec3(-1.3, 0.5, 1.0), TILT, 0.4, 0.15));
-    d = min(d, op_round(distance_disk(p, vec3(-2.6, 0.5, 1.0), TILT, 0.5), 0.002)); // a disk has no inside
+    // A disk has no inside, so it is made 2 mm thick to each side.
+    d = min(d, op_round(distance_disk(p, vec3(-2.6, 0.5, 1.0), TILT, 0.5), 0.002));
     d = min(d, distance_sphere(p, vec3(2.0, 0.5, -1.0), 0.5));
     d = min(d, distance_box(p, vec3(0.7, 0.45, -1.0), vec3(0.45)));
     d = min(d, distance_rounded_box(p, vec3(-0.7, 0.45, -1.0), vec3(0.45), corners));
@@ -77,5 +79,6 @@ Material scene_material(Hit hit) {
     if (hit.object == GROUND) return matte(vec3(0.45));
     bool back = hit.position.z > 0.0;
     float place = back ? floor(hit.position.x / 1.3 + 0.5) : floor(hit.position.x / 1.35) - 6.5;
-    return matte(0.5 + 0.25 * cos(1.3 * place + vec3(0.0, 2.1, 4.2))); // a hue for each
+    // Each shape has a hue of its own.
+    return matte(0.5 + 0.25 * cos(1.3 * place + vec3(0.0, 2.1, 4.2)));
 }

@@ -11,7 +11,7 @@
 //@ preset  hazy      sun.elevation 10  atmosphere.mie 4  exposure -0.5
 //@ preset  ozone     sun.elevation -4  atmosphere.ozone 1  exposure 6
 
-// Nothing to hit: every ray brings back the sky as it is, below the horizon the air before the dark ground.
+// There is nothing to hit, so every ray brings back the sky. Below the horizon this is the air in front of the dark ground.
 #include "material/matte.glsl"
 
 void scene_intersect(Ray ray, INOUT(Hit) hit) {}

@@ -27,7 +27,7 @@ const int GROUND = 0;
 const int BALL = 1;
 const int FIELD = 2;
 
-// On Vogel's spiral, which is equally dense everywhere: no sphere is larger than half the way to its neighbours.
+// The spheres lie on Vogel's spiral, which is equally dense everywhere. No sphere is larger than half of the distance to its neighbours.
 vec4 scene_sphere(int i) {
     float share = (float(i) + 0.5) / count;
     float from = 1.1 * ball;

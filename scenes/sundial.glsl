@@ -11,8 +11,8 @@
 //@ preset  twilight  sun.elevation -2  sun.azimuth 280  exposure 4
 //@ preset  wide-sun  sun.radius 3
 
-// For 50 degrees of latitude; north is +z, so that east is on the right, +x being west. The hours are where the sun's
-// shadow falls: tan(mark) = sin(latitude) tan(hour angle).
+// A sundial for 50 degrees of latitude. North is +z and west is +x, so east is on the right. The marks are where the pointer's shadow falls at
+// full hours: tan(mark) = sin(latitude) tan(hour angle).
 #include "material/matte.glsl"
 #include "material/rough_metal.glsl"
 #include "shape/capsule.glsl"
@@ -39,7 +39,8 @@ void scene_intersect(Ray ray, INOUT(Hit) hit) {
 vec3 dial(vec3 position) {
     vec2 from_foot = vec2(-position.x, position.z + 0.12);
     float hour = atan(from_foot.x / sin(radians(latitude)), from_foot.y) * 12.0 / PI;
-    float off = abs(fract(hour + 0.5) - 0.5) * PI / 12.0 * length(from_foot); // m, about, from the next mark
+    // About the distance from the nearest mark in metres.
+    float off = abs(fract(hour + 0.5) - 0.5) * PI / 12.0 * length(from_foot);
     float ring = length(vec2(position.x, position.z));
     bool mark = off < 0.005 && ring > 0.3 && ring < 0.41;
     return mark ? vec3(0.08) : vec3(0.72, 0.68, 0.6);

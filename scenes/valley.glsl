@@ -19,10 +19,13 @@ uniform float rough;   //@ slider 1  min 0  max 2  label "how high the smaller h
 
 const int GROUND = 0;
 const int HILLS = 1;
-const float HIGH = 10.0; // m; of the largest hills, which are LONG apart
+// The height of the largest hills and the distance between them, in metres.
+const float HIGH = 10.0;
 const float LONG = 24.0;
-const float DEEP = 8.5; // of the valley below the mean of them, and of the ground around
-const float FAR = 45.0; // no ground is above 0 from here on
+// How far the valley's middle is lowered, in metres.
+const float DEEP = 8.5;
+// Beyond this distance no ground is above 0.
+const float FAR = 45.0;
 
 float height(vec2 at) {
     float sum = HIGH * hills(at / LONG + vec2(7.3, 2.1));
@@ -33,7 +36,8 @@ float height(vec2 at) {
     return sum - max(max(along, around), 0.0);
 }
 
-// The slopes of all that is added. What is above the highest hill is at least as far from the ground as from its height.
+// The slope is the sum of the slopes of all heights that are added. A point above the highest hill is at least as far from the ground as from the
+// hill's height.
 float scene_distance(vec3 p) {
     float small = rough * (3.2 / 7.5 + 0.35 / 2.5);
     float cut = max(DEEP / wide * length(vec2(1.0, 0.275)), (HIGH + 3.55 * rough) / 20.0);
@@ -47,7 +51,7 @@ void scene_intersect(Ray ray, INOUT(Hit) hit) {
     march(ray, vec3(0.0, 0.0, 0.0), FAR + 3.0, HILLS, hit);
 }
 
-// The lake reflects as water does, by Fresnel, and is dark below.
+// The lake reflects as Fresnel's equations say for water. Below its surface it is dark.
 Material scene_material(Hit hit) {
     if (hit.object == GROUND && lake) return rough_metal(vec3(0.02), 0.15);
     vec3 sand = vec3(0.45, 0.38, 0.28);
