@@ -1,4 +1,4 @@
-// No absorbing layer: nothing of it is left in the compiled shader.
+// There is no absorbing layer. The compiler removes these functions, so the layer costs nothing.
 #include "sky/atmosphere.glsl"
 
 float absorber_density(Atmosphere a, float h) {

@@ -1,13 +1,13 @@
-// Ozone: a layer that absorbs and does not scatter. Its density is a tent, 1 at its middle and 0 a half width away, cut at the
-// top of the atmosphere.
+// Ozone: a layer that absorbs light and does not scatter it. Its density falls linearly from 1 at its middle to 0 at half a width from there.
+// The layer is cut at the top of the atmosphere. A column is the integral of the density along a ray, in metres.
 #include "sky/atmosphere.glsl"
 
 float absorber_density(Atmosphere a, float h) {
     return max(1.0 - abs(h - a.ozone_height_m) / a.ozone_half_width_m, 0.0);
 }
 
-// One slope of the tent, between two altitudes at or above h, by Simpson's rule: along a ray altitude is all but a quadratic of
-// distance, which the rule integrates exactly (to 1e-4 over the longest grazing path).
+// Returns the column between two altitudes at or above h, between which the density is linear. It uses Simpson's rule. The altitude along a ray is
+// nearly a quadratic function of the distance, which the rule integrates exactly (to 1e-4 over the longest grazing path).
 float absorber_slope(Atmosphere a, float h, float b, float low, float high) {
     float begin = distance_up(a, h, b, low);
     float end = distance_up(a, h, b, high);
@@ -16,7 +16,7 @@ float absorber_slope(Atmosphere a, float h, float b, float low, float high) {
     return (end - begin) * sum / 6.0;
 }
 
-// Upward from altitude h to the top, b >= 0; m of full density.
+// Returns the column from altitude h up to the top. b must not be negative.
 float absorber_column_up(Atmosphere a, float h, float b) {
     float low = clamp(a.ozone_height_m - a.ozone_half_width_m, h, max(h, a.thickness_m));
     float middle = clamp(a.ozone_height_m, h, max(h, a.thickness_m));
@@ -28,13 +28,13 @@ float absorber_column_level(Atmosphere a, float h, float b) {
     return absorber_column_up(a, perigee_altitude(h, a.planet_radius_m + h, b), 0.0);
 }
 
-// From altitude h to the top; a ray that descends (b < 0) must miss the ground.
+// Returns the column from altitude h to the top. A ray that descends (b < 0) must miss the ground.
 float absorber_column_to_top(Atmosphere a, float h, float b) {
     float up = absorber_column_up(a, h, abs(b));
     return b < 0.0 ? max(2.0 * absorber_column_level(a, h, b) - up, 0.0) : up;
 }
 
-// From altitude h along b to the point at distance t and altitude h_t.
+// Returns the column from altitude h to the point at distance t along the ray, which has altitude h_t.
 float absorber_column_between(Atmosphere a, float h, float b, float h_t, float t) {
     float b_t = b + t;
     float begin = absorber_column_up(a, h, abs(b));

@@ -1,24 +1,28 @@
-// Columns of exponential densities in closed form, from a point to the top of the atmosphere along a ray.
+// Columns of exponential densities in closed form. A column is the integral of the density along a ray, from a point to the top of the atmosphere.
 //
-// Chapman's grazing-incidence integral, density * H sqrt(pi X / 2) erfcx(y) with X = r / H and y = sqrt(X / 2) cos(zenith angle)
-// (F. L. Smith and C. Smith 1972), to the next order in 1 / X. With z = altitude gained / r and c the cosine, path length
-// grows by (1 + z) / sqrt(c^2 + 2 z + z^2) dz; expanded about z = 0 the integrals over exp(-X z) are again erfcx, and the sum is
-// the first order times 1 + F(y) / X, F = 3/8 - y^2/2 + y^4/2 + 2 y (3/8 - y^2/4) / (sqrt(pi) erfcx(y)). What lies above the top
-// is taken off by the same form. Error: 2e-6 from the fits, 1/X^2 from the expansion: 1e-5 in all for the Earth's air.
+// The first order is Chapman's grazing-incidence integral, density * H sqrt(pi X / 2) erfcx(y). Here H is the scale height, X = r / H, and
+// y = sqrt(X / 2) cos(zenith angle) (F. L. Smith and C. Smith 1972).
+//
+// This file goes to the next order in 1 / X. Let z = (altitude gained) / r, and let c be the cosine. The path length grows by
+// (1 + z) / sqrt(c^2 + 2 z + z^2) dz. If this is expanded about z = 0, the integrals over exp(-X z) are erfcx again. The sum is the first order times
+// 1 + F(y) / X, with F = 3/8 - y^2/2 + y^4/2 + 2 y (3/8 - y^2/4) / (sqrt(pi) erfcx(y)).
+//
+// The part above the top is subtracted, by the same formula. The error is 2e-6 from the fits below and 1 / X^2 from the expansion. For the Earth's air
+// it is 1e-5 in all.
 #include "sky/atmosphere.glsl"
 
-// erfcx(y) = exp(y^2) erfc(y) for y >= 0, relative error 2e-6.
+// Returns erfcx(y) = exp(y^2) erfc(y) for y >= 0, with a relative error of 2e-6.
 vec2 scaled_erfc(vec2 y) {
     return (1.0 + y * (1.11610384 + y * (0.55644975 + y * 0.12392227))) /
            (1.0 + y * (2.24440585 + y * (2.08989434 + y * (0.98622912 + y * 0.21964651))));
 }
 
-// F(y) above, relative error 1.2e-3.
+// Returns F(y) (see above), with a relative error of 1.2e-3.
 vec2 chapman_correction(vec2 y) {
     return (0.375 + y * (0.65576663 + y * 0.42239498)) / (1.0 + y * (0.63688344 + y * 0.42239498));
 }
 
-// Columns of air and aerosols upward to infinity, over the densities at the starting point, m. `c` >= 0.
+// Returns the columns of air and aerosols up to infinity, divided by the densities at the starting point, in metres. c must not be negative.
 vec2 column_lengths(Atmosphere a, float r, float c) {
     vec2 height = vec2(a.rayleigh_scale_height_m, a.mie_scale_height_m);
     vec2 x = r / height;
@@ -26,8 +30,9 @@ vec2 column_lengths(Atmosphere a, float r, float c) {
     return height * sqrt(0.5 * PI * x) * scaled_erfc(y) * (1.0 + chapman_correction(y) / x);
 }
 
-// Columns of air and aerosols from altitude h, where the densities are `density`, to the top, m. A ray that descends (b < 0)
-// goes through its perigee: twice the level column there less the upward one; it must miss the ground.
+// Returns the columns of air and aerosols from altitude h to the top, in metres. The densities at altitude h are `density`.
+// A ray that descends (b < 0) goes through its perigee. Its column is twice the level column there, less the upward column at h. It must miss the
+// ground.
 vec2 columns_to_top(Atmosphere a, float h, float b, vec2 density) {
     float r = a.planet_radius_m + h;
     float c = abs(b) / r;

@@ -1,27 +1,33 @@
-// Gauss-Legendre along the view ray, GAUSS_NODES a segment (a constant that the host provides), with columns toward the sun
-// in closed form and columns back to the eye from the same nodes.
+// Gauss-Legendre quadrature along the view ray, with GAUSS_NODES nodes a segment. The host defines this constant. Columns toward the sun are in
+// closed form, and columns back to the eye come from the densities at the nodes.
 //
-// The ray is cut at its perigee, at the planet's shadow, and where sunlight has passed half a scale height above the ground: just
-// outside of the shadow it collapses within a short stretch (this cut takes the largest errors of 8 nodes from 4.3 to 1.7 %).
-// So the integrand is smooth in each segment. In a segment of
-// length L that ascends, node u of (0,1) lies at t = L c u / (1 + c - u): nodes crowd where the air is dense. One that
-// descends takes the mirror image. The column up to node i is the integral of the polynomial through all nodes' densities:
-// a matrix times what is there already, no further exponentials.
+// The ray is cut where the integrand is not smooth: at its perigee, at the planet's shadow, and where sunlight has passed half a scale height above
+// the ground. Just outside of the shadow, sunlight falls to nothing within a short distance. The last cut reduces the largest error of 8 nodes from
+// 4.3 to 1.7 %.
+//
+// In a segment of length L that ascends, the node u of (0,1) lies at t = L c u / (1 + c - u), so that nodes crowd where the air is dense. A segment
+// that descends uses the mirror image. The column up to node i is the integral of the polynomial through the densities at all nodes. This is a matrix
+// times these densities, and needs no further exponentials.
 #include "sky/column.glsl"
 #include "sky/sums.glsl"
 
 float absorber_column_to_top(Atmosphere a, float h, float b);
 float absorber_column_between(Atmosphere a, float h, float b, float h_t, float t);
 
-const float GAUSS_CROWDING = 0.5; // c; measured best, or near it, for 4 to 12 nodes
+// The c of the formula above. This value is the best or near to it for 4 to 12 nodes, by measurement.
+const float GAUSS_CROWDING = 0.5;
 
 struct GaussTable {
-    float node[12];        // in (0,1), ascending
-    float weight[12];      // they sum to 1
-    float cumulative[144]; // [12 i + j]: integral from 0 to node i of the polynomial that is 1 at node j, 0 at the others
+    // In (0,1) and ascending.
+    float node[12];
+    // The sum of the weights is 1.
+    float weight[12];
+    // The number at 12 i + j is the integral, from 0 to node i, of the polynomial that is 1 at node j and 0 at the other nodes.
+    float cumulative[144];
 };
 
-const int GAUSS_SEGMENTS = 6; // at most: two shadows' four ends and the perigee make five cuts
+// The largest number of segments. The perigee and the four ends of two shadows make five cuts.
+const int GAUSS_SEGMENTS = 6;
 
 float gauss_cut(float from, float cut, float candidate) {
     return candidate > from && candidate < cut ? candidate : cut;
@@ -48,7 +54,8 @@ SkySums sky_gauss(Atmosphere a, GaussTable table, float h, vec3 view, vec3 sun) 
         float t[GAUSS_NODES];
         float h_t[GAUSS_NODES];
         vec2 density[GAUSS_NODES];
-        float stretch[GAUSS_NODES]; // dt/du
+        // dt/du at the nodes.
+        float stretch[GAUSS_NODES];
         vec2 total = vec2(0.0);
         for (int i = 0; i < GAUSS_NODES; i++) {
             float u = table.node[i];

@@ -1,5 +1,5 @@
-// The paper's sums (Simmons 2017, after Nishita 1993): single scattering by N uniform midpoints along the view ray and, at
-// each, M uniform midpoints back to the eye and M toward the sun.
+// The paper's sums for single scattering (Simmons 2017, after Nishita 1993). There are N uniform steps along the view ray. For each of them there are M
+// uniform steps back to the eye and M toward the sun. Each step is evaluated at its middle.
 #include "sky/sums.glsl"
 
 float absorber_density(Atmosphere a, float h);
@@ -19,7 +19,8 @@ SkySums sky_paper(Atmosphere a, float h, vec3 view, vec3 sun, int view_samples, 
         float b_sun = r * sun.y + t * nu;
         float back_step = (t - segment.begin) / float(light_samples);
         float sun_step = distance_to_top(a, h_t, b_sun) / float(light_samples);
-        vec2 back = vec2(0.0); // sums of the densities of air and aerosols
+        // Sums of the densities of air and aerosols.
+        vec2 back = vec2(0.0);
         vec2 toward_sun = vec2(0.0);
         float absorber = 0.0;
         int j = 0;

@@ -1,4 +1,4 @@
-// Phase functions, per steradian; `view` looks away from the eye and `sun` toward the sun, both of unit length.
+// Phase functions, per steradian. `view` points away from the eye, and `sun` points toward the sun. Both have unit length.
 #include "math/dialect.glsl"
 
 float rayleigh_phase(vec3 view, vec3 sun) {
@@ -6,8 +6,8 @@ float rayleigh_phase(vec3 view, vec3 sun) {
     return 3.0 / (16.0 * PI) * (1.0 + nu * nu);
 }
 
-// Cornette and Shanks 1992. The denominator 1 + g^2 - 2 g nu is (1-g)^2 + g |view - sun|^2, which keeps its digits in the
-// forward peak; for g < 0 the peak is opposite and so is the form.
+// The phase function of Cornette and Shanks 1992. The denominator 1 + g^2 - 2 g nu is written as (1-g)^2 + g |view - sun|^2, which keeps its digits
+// in the forward peak. If g is negative, the peak is in the opposite direction, and the formula is mirrored.
 float mie_phase(float g, vec3 view, vec3 sun) {
     float nu = dot(view, sun);
     float magnitude = abs(g);

@@ -1,11 +1,13 @@
-// What every sky method that integrates gives: single scattering summed along a ray, without the phase functions, so that
-// it is smooth over the sky and a table can hold it.
+// The result of every sky method that integrates: single scattering summed along a ray, without the phase functions. The sums are smooth over the sky,
+// so that a table can hold them.
 #include "sky/atmosphere.glsl"
 #include "sky/phase.glsl"
 
 struct SkySums {
-    vec3 rayleigh; // integral of transmittance (eye to point to sun) times the density of air, m
-    vec3 mie;      // the same with the density of aerosols
+    // The integral of (transmittance from the sun to the point and on to the eye) * (density of air), in metres.
+    vec3 rayleigh;
+    // The same with the density of aerosols.
+    vec3 mie;
 };
 
 vec3 sky_shade(Atmosphere a, SkySums sums, vec3 view, vec3 sun) {
@@ -13,7 +15,7 @@ vec3 sky_shade(Atmosphere a, SkySums sums, vec3 view, vec3 sun) {
                                sums.mie * a.mie_scatter_per_m * mie_phase(a.mie_g, view, sun));
 }
 
-// Transmittance through columns of air and aerosols and a column of the absorber.
+// Returns the transmittance through columns of air and aerosols, and through a column of the absorber.
 vec3 transmittance_of(Atmosphere a, vec2 column, float absorber) {
     return exp(-(a.rayleigh_scatter_per_m * column.x + a.mie_extinction_per_m * column.y +
                  a.ozone_absorb_per_m * absorber));

@@ -1,12 +1,14 @@
-// The sky as a table: how directions map to the unit square. The phase-free sums depend on the direction's elevation and on
-// its azimuth from the sun's, evenly.
+// The table of the sky: how directions map to the unit square. The sums without phase functions depend on a direction's elevation and on its azimuth
+// from the sun. They are even functions of this azimuth.
 //
-// Across: (1 - cos(azimuth from the sun)) / 2, in which an even function stays smooth, and no arc tangent is needed.
-// Along: the fourth root of 1 - sqrt(1 - share), where `share` is the sine of elevation above the visible horizon (or below it)
-// scaled to 1 at the zenith (nadir). The inner root makes it linear in the angle from the zenith, across which the sky has a slope; the
-// outer one crowds the rows at the horizon.
-// Held: the sums' fourth roots. Twilight falls by orders of magnitude from texel to texel; with its fourth root linear
-// interpolation errs 3 to 13 times less. Roots and powers of four are two square roots and two squares.
+// Across the table runs (1 - cos(azimuth from the sun)) / 2. An even function stays smooth in it, and no arc tangent is needed.
+//
+// Along the table runs the fourth root of 1 - sqrt(1 - share). `share` is the sine of the elevation above the visible horizon, or below it, scaled to
+// 1 at the zenith or the nadir. The inner root makes the coordinate linear in the angle from the zenith, because the sky has a slope there. The outer
+// root crowds the rows at the horizon.
+//
+// The table holds fourth roots of the sums. In twilight the sums fall by orders of magnitude from texel to texel, and fourth roots make the error of
+// linear interpolation 3 to 13 times smaller. A fourth root is two square roots, and a fourth power is two squares.
 #include "sky/sums.glsl"
 
 vec3 fourth_root(vec3 v) {
@@ -18,19 +20,20 @@ vec3 fourth_power(vec3 v) {
     return squared * squared;
 }
 
-// Where `view` lies in the table, between the sines of elevation of the visible `horizon` and of the `limb` where the air ends (1 from
-// inside): x across, y along, both in [0,1]; z is 1 below the horizon, else 0. `sun_level` is the
-// unit vector toward the sun's azimuth.
+// Returns the place of a direction in the table: x across and y along, both in [0,1]. z is 1 below the horizon, and 0 above it. `horizon` is the sine
+// of the visible horizon's elevation. `limb` is the sine of the elevation at which the air ends, or 1 for an observer inside the air. `sun_level` is
+// the unit vector toward the sun's azimuth.
 vec3 table_position(float horizon, float limb, vec3 view, vec3 sun_level) {
     float along_sun = view.x * sun_level.x + view.z * sun_level.z;
     float across = 0.5 - 0.5 * along_sun * inversesqrt(max(view.x * view.x + view.z * view.z, 1.0e-30));
     float above = view.y - horizon;
     float share = clamp(above / ((above >= 0.0 ? limb : -1.0) - horizon), 0.0, 1.0);
-    float along = share / (1.0 + sqrt(1.0 - share)); // 1 - sqrt(1 - share)
+    // This is 1 - sqrt(1 - share), without cancellation.
+    float along = share / (1.0 + sqrt(1.0 - share));
     return vec3(across, sqrt(sqrt(along)), above >= 0.0 ? 0.0 : 1.0);
 }
 
-// The direction that lies there. On the horizon itself (y = 0) it is taken just beside it, on its own side.
+// Returns the direction at a place of the table. At y = 0, on the horizon itself, the direction is just beside the horizon, on the side that z gives.
 vec3 table_direction(float horizon, float limb, vec3 position, vec3 sun_level) {
     float squared = position.y * position.y;
     float along = squared * squared;
