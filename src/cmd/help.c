@@ -1,6 +1,7 @@
 #include "cmd/help.h"
 
 #include "base/version.h"
+#include "choice/method.h"
 #include "cmd/option_table.h"
 
 #include <stdio.h>
@@ -60,6 +61,23 @@ static void option_words(const OptionRow *row, char *words, size_t size) {
              row->argument && row->kind != OPTION_OPTIONAL ? " " : "", row->argument ? row->argument : "");
 }
 
+/* What an option does; of one that takes a method also which methods there are, and what auto takes. */
+static void print_option_help(const OptionRow *row, Text *out) {
+    text_print(out, "%s", row->help);
+    for (int family = 0; family < METHOD_FAMILIES; family++) {
+        const MethodFamilyRow *methods = method_family((MethodFamily)family);
+        if (strcmp(methods->option, row->name) != 0) continue;
+        const char *separator = ": ";
+        for (int i = 0; method_get(i); i++) {
+            const Method *method = method_get(i);
+            if ((int)method->family != family) continue;
+            text_print(out, "%s%s", separator, method->form ? method->form : method->name);
+            separator = ", ";
+        }
+        text_print(out, "; auto is %s", methods->automatic);
+    }
+}
+
 static void print_program(int columns, Text *out) {
     text_print(out, "magichour: ");
     print_wrapped(program_about, 11, 0, columns, out);
@@ -82,7 +100,10 @@ static void print_group(Command command, OptionGroup group, int columns, Text *o
         if (!named) text_print(out, "\n%s\n", option_group_names[group]);
         named = true;
         option_words(row, left, sizeof left);
-        print_row(left, columns < 72 ? 8 : 26, row->help, columns, out);
+        Text help = {0};
+        print_option_help(row, &help);
+        print_row(left, columns < 72 ? 8 : 26, text_string(&help), columns, out);
+        text_free(&help);
     }
 }
 
@@ -119,7 +140,10 @@ static void print_manual_option(const OptionRow *row, Text *out) {
     text_print(out, ".TP\n.B ");
     print_manual_words(words, out);
     text_print(out, "\n");
-    print_manual_words(row->help, out);
+    Text help = {0};
+    print_option_help(row, &help);
+    print_manual_words(text_string(&help), out);
+    text_free(&help);
     text_print(out, "\n(");
     bool first = true;
     for (int i = 0; i < command_table_size; i++) {

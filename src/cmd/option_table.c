@@ -69,7 +69,7 @@ const OptionRow option_table[] = {
     {GROUP_SKY, "--sun", "EL[,AZ]", R | V | S | H | E, TAKE(take_sun),
      "the sun's elevation and azimuth (from +z toward +x), degrees", NULL},
     {GROUP_SKY, "--sun-disk", "[=METHOD]", R | V | F | S | H | E, OPTIONAL(sun_disk),
-     "the sun itself, 0.2666 degrees in radius: sampled, chance or off; on if a scene says so", NULL},
+     "the sun itself, 0.2666 degrees in radius; on if a scene says so", NULL},
     {GROUP_SKY, "--atmosphere", "NAME", R | V | S | F | H | E, STRING(atmosphere),
      "a preset of the atmosphere (see info)", NULL},
     {GROUP_SKY, "--preset", "NAME", R | V | F | H | E, STRING(preset), "one of the scene's presets", NULL},
@@ -99,14 +99,10 @@ const OptionRow option_table[] = {
     {GROUP_ACCURACY, "--se", "FILE", C, STRING(standard_error),
      "standard errors of the difference: prints mean z^2 and the share of |z| > 4", NULL},
 
-    {GROUP_METHODS, "--sky", "METHOD", R | V | F | S, STRING(sky),
-     "table[:METHOD], gauss[:n], paper[:NxM] or uniform[:L]", NULL},
-    {GROUP_METHODS, "--light", "METHOD", R | V | F, STRING(light),
-     "control, cosine, mis or paper; by default mis for a low sun, control where the sky is a table and the "
-     "scene has bounds, or else cosine",
+    {GROUP_METHODS, "--sky", "METHOD", R | V | F | S, STRING(sky), "where the sky's radiance comes from",
      NULL},
-    {GROUP_METHODS, "--sequence", "METHOD", R | V | F, STRING(sequence),
-     "sobol, additive or random; sobol by default", NULL},
+    {GROUP_METHODS, "--light", "METHOD", R | V | F, STRING(light), "how paths go on at a hit", NULL},
+    {GROUP_METHODS, "--sequence", "METHOD", R | V | F, STRING(sequence), "the random numbers", NULL},
 
     {GROUP_OTHER, "--backend", "NAME", R | I | S | H | E, STRING(backend), "auto, egl, osmesa or glfw", NULL},
     {GROUP_OTHER, "--glsl-dir", "DIR", R | V | I | F | S | H | E, STRING(glsl_dir),

@@ -45,6 +45,7 @@ typedef struct OptionRow {
     OptionTake *take;
     /* Of the string or flag in Options. */
     size_t offset;
+    /* For an option that takes a method, help adds which there are (choice/method.h). */
     const char *help;
     /* A second name, or NULL. */
     const char *alias;
