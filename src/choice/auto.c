@@ -5,7 +5,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* A picture's noise after n samples is about 10 % / sqrt(n): the crater's and the materials' are. */
+/* relRMSE of a picture of one sample a pixel, percent; after n samples it is this over sqrt(n). Measured in
+ * the crater and in the materials, with the default light method and sequence. */
 static const double noise_of_one_sample = 10;
 
 double auto_error_percent(const AutoWish *wish) {
@@ -14,26 +15,42 @@ double auto_error_percent(const AutoWish *wish) {
                              : AUTO_ERROR_PERCENT;
 }
 
-/* No error is known before some 16 samples. */
+/* The estimate of a picture's error takes 16 samples a pixel, so that no target is reached with fewer. */
+static const double fewest_samples = 16;
+
+/* How many paths the picture is likely to take. */
 static double paths_of(const AutoWish *wish) {
     double needed = pow(noise_of_one_sample / auto_error_percent(wish), 2);
-    return (wish->samples > 0 ? wish->samples : fmax(needed, 16)) * wish->pixels;
+    return (wish->samples > 0 ? wish->samples : fmax(needed, fewest_samples)) * wish->pixels;
 }
 
-/* Seconds that a sky takes on two cores with llvmpipe, beside the picture's own: compiling, which goes with
- * the square of the nodes, once for a shader that asks anew and once more for a table's; then 9 ns a node and
- * path, or a look into a table, the slower the less of it fits the caches. */
+/* Seconds, measured on two cores with llvmpipe. Only their ratios matter. They can be measured again as the
+ * time to the first sample and the time of a path of the scene `sky`, with each gauss:n and with tables of
+ * each size.
+ *
+ * A program that contains gauss:n takes first_compile + compile_by_nodes * n^2 longer to compile. One that
+ * fills a table is a second program, and takes table_compile besides. */
+static const double first_compile = 0.09, compile_by_nodes = 0.0035, table_compile = 0.03;
+/* gauss:n takes n times this for each path, or for each texel that it fills. */
+static const double node_time = 9e-9;
+/* A path's look into a table, and what is added for each square root of a texel: the larger the table is, the
+ * less of it the caches hold. */
+static const double lookup_time = 7e-9, lookup_by_root = 3e-11;
+
+/* What a sky adds to the time of a picture. */
 static double seconds_of(const MethodChoice *choice, int columns, int rows, double paths) {
-    double nodes = choice->nodes, compile = 0.09 + 0.0035 * nodes * nodes;
-    if (!choice->table) return compile + 9e-9 * nodes * paths;
+    double nodes = choice->nodes, compile = first_compile + compile_by_nodes * nodes * nodes;
+    if (!choice->table) return compile + node_time * nodes * paths;
     double texels = 2.0 * columns * rows;
-    return compile + 0.03 + 9e-9 * nodes * texels + (7e-9 + 3e-11 * sqrt(texels)) * paths;
+    return compile + table_compile + node_time * nodes * texels +
+           (lookup_time + lookup_by_root * sqrt(texels)) * paths;
 }
 
-/* What auto looks at: nodes asked for each path, or a table that they fill. */
+/* A sky that auto may take: gauss:n for each path, or a table that gauss:n fills. */
 typedef struct Candidate {
     MethodChoice choice;
-    double bias, seconds; /* percent; estimated */
+    double bias_percent;
+    double seconds;
 } Candidate;
 
 enum { NODES = 7, SIZES = 5, CANDIDATES = NODES * (1 + SIZES) };
@@ -44,29 +61,32 @@ static bool describe(Candidate *candidate, int nodes, int columns, const AutoWis
     char text[sizeof candidate->choice.text];
     snprintf(text, sizeof text, columns ? "table:gauss:%d@%dx%d" : "gauss:%d", nodes, columns, 3 * columns);
     if (!method_choose(&candidate->choice, METHOD_SKY, text, error)) return false;
-    candidate->bias = bias_sky_percent(&candidate->choice, wish->sun_elevation_deg, wish->atmosphere);
+    candidate->bias_percent = bias_sky_percent(&candidate->choice, wish->sun_elevation_deg, wish->atmosphere);
     candidate->seconds = seconds_of(&candidate->choice, columns, 3 * columns, paths_of(wish));
     return true;
 }
 
-/* Of those that err by `limit` at most the cheapest, or else the best. */
+/* Of two skies whose bias is within `limit`, the cheaper is better; else the one with the smaller bias. */
 static bool is_better(const Candidate *a, const Candidate *b, double limit) {
-    if ((a->bias <= limit) != (b->bias <= limit)) return a->bias <= limit;
-    return a->bias <= limit ? a->seconds < b->seconds : a->bias < b->bias;
+    if ((a->bias_percent <= limit) != (b->bias_percent <= limit)) return a->bias_percent <= limit;
+    return a->bias_percent <= limit ? a->seconds < b->seconds : a->bias_percent < b->bias_percent;
 }
 
-/* The best of those that would cost less, in words. */
+/* Writes choice->why: the bias of what was taken, and that of the most accurate sky that would cost less. */
 static void say_why(MethodChoice *choice, const Candidate *best, const Candidate *all, double limit) {
     const Candidate *cheaper = NULL;
     char rest[100] = "nothing is cheaper";
     for (int i = 0; i < CANDIDATES; i++) {
-        if (all[i].seconds < best->seconds && (!cheaper || all[i].bias < cheaper->bias)) cheaper = &all[i];
+        if (all[i].seconds < best->seconds && (!cheaper || all[i].bias_percent < cheaper->bias_percent))
+            cheaper = &all[i];
     }
     if (cheaper)
-        snprintf(rest, sizeof rest, "%s is cheaper and errs by %.2g %%", cheaper->choice.text, cheaper->bias);
+        snprintf(rest, sizeof rest, "%s is cheaper and errs by %.2g %%", cheaper->choice.text,
+                 cheaper->bias_percent);
     snprintf(choice->why, sizeof choice->why, "bias %.2g %%, %s %.2g %%, a third of the error asked for; %s",
-             best->bias, best->bias <= limit ? "within" : "the least that there is, not within", limit,
-             best->bias <= limit ? rest : "ask for more");
+             best->bias_percent,
+             best->bias_percent <= limit ? "within" : "the least that there is, not within", limit,
+             best->bias_percent <= limit ? rest : "ask for more");
 }
 
 static bool take_cheapest(MethodChoice *choice, const AutoWish *wish, Error *error) {
@@ -80,9 +100,11 @@ static bool take_cheapest(MethodChoice *choice, const AutoWish *wish, Error *err
     }
     *choice = best->choice;
     say_why(choice, best, all, limit);
-    /* Should the sun move, the table takes what its nodes have left, so now that size. */
+    /* The size is found by the sun, as it is for a table that the user names without a size: if the sun
+     * moves, the table may add as much error as the nodes leave of the limit. */
     int of_nodes = (int)(best - all) / (1 + SIZES) * (1 + SIZES);
-    if (choice->table && best->bias <= limit) choice->table_size.percent = limit - all[of_nodes].bias;
+    if (choice->table && best->bias_percent <= limit)
+        choice->table_size.percent = limit - all[of_nodes].bias_percent;
     return true;
 }
 
@@ -92,17 +114,22 @@ bool auto_sky(MethodChoice *choice, const char *text, const AutoWish *wish, Erro
     if (!isnan(bias_sky_percent(choice, wish->sun_elevation_deg, wish->atmosphere)))
         return take_cheapest(choice, wish, error);
     snprintf(choice->why, sizeof choice->why,
-             "nothing was measured for such an air or such a sun: the best nodes");
+             "no bias was measured for such an air or such a sun: the most accurate is taken");
     return true;
 }
 
-/* Where mis takes the least time to an error, measured over the scenes with the sun from 60 to -2 degrees:
- * what stands upright sees the glow of a low sun, and by the cosine alone seldom: with the sun at 1 to 15
- * degrees a sixth to a half of the time, in the house and the arcade nine tenths, and on hills, which are
- * ground, up to twice as much. Light that glass and metal throw is found by the material's own bounces, of
- * which mis leaves a half: there it takes twice the time. And where nothing but mirrors stands on the ground,
- * control is ahead by a quarter. */
-static bool glows(const MethodChoice *sky, const AutoWish *wish) {
+/* Whether mis is likely to reach an error in the least time. Measured over the scenes, with the sun from 60
+ * to -2 degrees, as the time to the same error:
+ *
+ * With the sun at 1 to 15 degrees, mis takes a sixth to a half of the time of the other methods: surfaces
+ * that stand upright see the glow about the sun, which bounces by the cosine seldom find. In the house and
+ * the arcade it takes nine tenths, and on hills, which are hardly upright, up to twice the time.
+ *
+ * With glass or metal it takes twice the time. What they throw on other surfaces is found by bounces of the
+ * material, and mis makes half as many of these.
+ *
+ * Where nothing but mirror spheres stands on the ground, control is ahead by a quarter. */
+static bool is_for_mis(const MethodChoice *sky, const AutoWish *wish) {
     bool low = wish->sun_elevation_deg >= -1 && wish->sun_elevation_deg <= 20;
     return low && sky->method->integrates && !wish->shiny && !(wish->bounds && wish->mirrors);
 }
@@ -110,14 +137,14 @@ static bool glows(const MethodChoice *sky, const AutoWish *wish) {
 bool auto_light(MethodChoice *choice, const char *text, const MethodChoice *sky, const AutoWish *wish,
                 Error *error) {
     bool automatic = method_is_auto(text);
-    bool low = glows(sky, wish);
+    bool low = is_for_mis(sky, wish);
     if (automatic && low) text = "mis";
     if (automatic && !low && sky->table && wish->bounds) text = "control";
     if (!method_choose(choice, METHOD_LIGHT, text, error)) return false;
     if (automatic) {
         snprintf(choice->why, sizeof choice->why, "%s",
                  low            ? "a low sun glows on what stands upright"
-                 : !sky->table  ? "control would ask the sky twice a path, and there is no table of it"
+                 : !sky->table  ? "control looks the sky up twice for each path, and there is no table of it"
                  : wish->bounds ? "the sky is a table and the scene has bounds"
                                 : "the scene has no bounds");
     }

@@ -4,31 +4,36 @@
 #include "choice/method.h"
 #include "scene/atmosphere.h"
 
-/* relRMSE that is asked for unless the user asks for something else, percent. */
+/* Target relRMSE, percent, if the user names neither an error nor a number of samples. */
 #define AUTO_ERROR_PERCENT 1.0
 
-/* What is known before the first sample. */
+/* What is known of a picture before its first sample. */
 typedef struct AutoWish {
-    double error_percent; /* relRMSE asked for; 0 where samples were: then what so many are likely to reach,
-                             and 1 at most */
-    double samples;       /* a pixel; 0 is as many as the error takes */
+    /* Target relRMSE in percent. 0 if the user gave a number of samples: the target is then estimated from
+     * that number, and is AUTO_ERROR_PERCENT at most. */
+    double error_percent;
+    /* Samples of each pixel; 0 if the target error decides how many there will be. */
+    double samples;
     double pixels;
     double sun_elevation_deg;
     const Atmosphere *atmosphere;
-    bool bounds;  /* whether the scene says what may block the sky ... */
-    bool mirrors; /* ... and all of that is mirror spheres */
-    bool shiny;   /* whether some of its materials are neither matte nor mirrors */
+    /* Whether the scene names bounds: spheres that enclose what can block the sky. */
+    bool bounds;
+    /* Whether each of the bounds is a mirror sphere too. */
+    bool mirrors;
+    /* Whether the scene has materials that are neither matte nor mirrors. */
+    bool shiny;
 } AutoWish;
 
-/* The error that the wish comes to, percent. */
+/* The target relRMSE, percent, that follows from the wish. */
 double auto_error_percent(const AutoWish *wish);
 
-/* `text` as for method_choose(). For NULL or "auto" the combination of nodes and table that costs the least
- * time among those whose bias stays under a third of the error; where none does, or where the bias is not
- * known, the most accurate. choice->why says which. */
+/* Chooses a sky. `text` is as for method_choose(). NULL or "auto" stands for the cheapest of gauss:n and of
+ * the tables of gauss:n, among those whose bias is a third of the target error at most. Where no bias is so
+ * small, or where none is known, the most accurate is taken. choice->why tells the user which case it was. */
 MUST_CHECK bool auto_sky(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error);
 
-/* The light method for `text` NULL or "auto": mis where a low sun shines on more than ground, control where
- * the sky is a table and the scene has bounds, else cosine. */
+/* Chooses a light method. NULL or "auto" stands for mis where a low sun shines on what stands upright, else
+ * for control where the sky is a table and the scene has bounds, else for cosine. */
 MUST_CHECK bool auto_light(MethodChoice *choice, const char *text, const MethodChoice *sky,
                            const AutoWish *wish, Error *error);

@@ -74,12 +74,12 @@ static const Method methods[] = {
     {.family = METHOD_LIGHT,
      .name = "cosine",
      .file = "light/cosine.glsl",
-     .about = "Lambert's surfaces, bounces by the cosine, no light sampling"},
+     .about = "bounces by Lambert's cosine, no light sampling"},
     {.family = METHOD_LIGHT,
      .name = "control",
      .file = "pass/light_control.glsl",
-     .about = "cosine, on level ground with the open sky as control variate and bounces toward the scene's "
-              "bounds",
+     .about = "as cosine, but on level ground with the open sky as control variate and bounces toward the "
+              "scene's bounds",
      .needs_irradiance = true,
      .loops_over_bounds = true,
      .extra_sky_lookups = 1},
@@ -91,7 +91,8 @@ static const Method methods[] = {
     {.family = METHOD_LIGHT,
      .name = "paper",
      .file = "light/paper.glsl",
-     .about = "the author's bounce, lobe 2 cos^3 / pi: a picture of its own"},
+     .about =
+         "the bounce of the paper's program, lobe 2 cos^3 / pi: not Lambert's, so that the picture differs"},
 
     {.family = METHOD_SEQUENCE,
      .name = "additive",
@@ -115,15 +116,16 @@ static const Method methods[] = {
     {.family = METHOD_SUN,
      .name = "sampled",
      .file = "pass/sun_sampled.glsl",
-     .about = "each hit seeks the disk, straight and by the mirrors that the scene names; its own image is "
-              "exact",
+     .about =
+         "each hit samples the disk, directly and by way of the mirrors that the scene names; the disk's own "
+         "image is exact",
      .has_disk = true,
      .samples_disk = true,
      .draws_image = true},
     {.family = METHOD_SUN,
      .name = "chance",
      .file = "pass/sun_chance.glsl",
-     .about = "rays find the disk or do not: to judge the other by",
+     .about = "rays meet the disk only by chance; a check of the other method, far noisier",
      .has_disk = true},
 };
 
