@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 static const char scene_text[] =
-    "//@ sun elevation 20\n#include \"shape/plane.glsl\"\n"
+    "//@ sun elevation 20\n#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n"
     "void scene_intersect(Ray ray, INOUT(Hit) hit) { hit_plane(ray, vec3(0, 1, 0), 0.0, 0, hit); }\n"
-    "Material scene_material(Hit hit) { return material_new(0, vec3(0.5)); }\n";
+    "Material scene_material(Hit hit) { return matte(vec3(0.5)); }\n";
 
 /* Runs the recorded command of a picture that has been moved aside, and compares. */
 static void make_again(const char *path) {
@@ -49,6 +49,40 @@ static void test_render(void **state) {
     text_free(&words);
 }
 
+/* iTime and iMouse are settings, so that they are in the command, and they change the picture. */
+static void test_inputs(void **state) {
+    (void)state;
+    Context context;
+    support_open(&context);
+    context_close(&context);
+    const char *scene = support_write(
+        "moving.glsl",
+        "#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n"
+        "void scene_intersect(Ray ray, INOUT(Hit) hit) { hit_plane(ray, vec3(0, 1, 0), 0.0, 0, hit); }\n"
+        "Material scene_material(Hit hit) {\n"
+        "    return matte(vec3(0.1 * iTime, 0.001 * iMouse.x, -0.001 * iMouse.w)); }\n");
+    const char *picture = support_path("moving.exr"), *still = support_path("still.exr");
+    support_expect(0, "", "render '%s' --set time=3.3 --set mouse=700,2,3,-400.5 %s -o '%s'", scene,
+                   "--size 8x8 --spp 4 --quiet", picture);
+    support_expect(0, "", "render '%s' --size 8x8 --spp 4 --quiet -o '%s'", scene, still);
+    Text value = {0};
+    assert_true(exr_attribute(picture, "magichour.time", &value));
+    text_print(&value, " ");
+    assert_true(exr_attribute(picture, "magichour.mouse", &value));
+    assert_string_equal(text_string(&value), "3.3 700,2,3,-400.5");
+    text_free(&value);
+    assert_false(exr_attribute(still, "magichour.time", &value));
+    assert_false(exr_attribute(still, "magichour.mouse", &value));
+    make_again(picture);
+    assert_int_equal(support_run("", "compare '%s' '%s' --max-relrmse 10", picture, still), 6);
+    support_expect(2, "mouse: '3' is not four numbers a,b,c,d", "render '%s' --set mouse=3 -o '%s'", scene,
+                   still);
+    support_expect(2, "mouse: '1,2,3' is not four numbers", "render '%s' --set mouse=1,2,3 -o '%s'", scene,
+                   still);
+    support_expect(2, "mouse: '1,2,3,4,5' is not four", "render '%s' --set mouse=1,2,3,4,5 -o '%s'", scene,
+                   still);
+}
+
 static void test_sky(void **state) {
     (void)state;
     Context context;
@@ -62,6 +96,7 @@ static void test_sky(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_render),
+        cmocka_unit_test(test_inputs),
         cmocka_unit_test(test_sky),
     };
     return cmocka_run_group_tests_name("command", tests, support_folder, support_clean);

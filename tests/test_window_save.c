@@ -2,6 +2,7 @@
 #include "desktop.h"
 
 #include "base/file.h"
+#include "image/exr_attribute.h"
 #include "image/format.h"
 
 #include <math.h>
@@ -9,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #define SMALL "--size 320x180"
 
@@ -93,6 +95,49 @@ static void test_save(void **state) {
     assert_int_equal(support_run("", "compare '%s' '%s' --max-relrmse 0", saved, again), 0);
 }
 
+/* A scene that follows the clock and the mouse, with blanks and quotes in its path and the library's: the
+ * saved command makes what was on the screen when it was saved, to the bit, run by a shell as it stands. */
+static void test_save_moving(void **state) {
+    (void)state;
+    char words[1024];
+    Text command = {0}, scene = {0}, library = {0};
+    char *here = realpath("glsl", NULL), *program = realpath(getenv("MAGICHOUR"), NULL);
+    assert_int_equal(symlink(here, support_path("the library's")), 0);
+    text_print_quoted(&library, support_path("the library's"));
+    text_print_quoted(
+        &scene,
+        support_write(
+            "it's moving.glsl",
+            "#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n"
+            "void scene_intersect(Ray ray, INOUT(Hit) hit) { hit_plane(ray, vec3(0, 1, 0), 0.0, 0, hit); }\n"
+            "Material scene_material(Hit hit) {\n"
+            "    return matte(vec3(0.5 + 0.4 * sin(iTime), 0.001 * iMouse.x, 0.001 * iMouse.y)); "
+            "}\n"));
+    desktop_view(desktop, "%s --glsl-dir %s " SMALL " --spp 16", text_string(&scene), text_string(&library));
+    desktop_do(desktop,
+               "key h mousemove 100 90 mousedown 1 mousemove 110 93 mouseup 1 key space sleep 0.3 key space");
+    desktop_expect_rest(desktop, 16);
+    desktop_do(desktop, "mousemove 700 500");
+    const char *saved = desktop_save(desktop, "exr");
+    desktop_quit(desktop);
+    assert_true(exr_attribute(saved, "magichour.command", &command));
+    assert_non_null(strstr(text_string(&command), " --set time="));
+    assert_non_null(strstr(text_string(&command), " --set mouse=110,87,-100,-90"));
+    Text script = {0};
+    text_print(&script, "cd \"$(dirname \"$0\")\" || exit 1\nmagichour() { '%s' \"$@\" --quiet; }\n%s\n",
+               program, text_string(&command));
+    snprintf(words, sizeof words, "sh '%s'", support_write("again.sh", text_string(&script)));
+    if (system(words) != 0) fail_msg("%s", text_string(&command));
+    assert_int_equal(support_run("", "compare '%s' '%s' --max-relrmse 0", saved, support_path("picture.exr")),
+                     0);
+    text_free(&script);
+    text_free(&command);
+    text_free(&scene);
+    text_free(&library);
+    free(here);
+    free(program);
+}
+
 static double channel_mean(const Image *image, int channel, bool negative) {
     double sum = 0;
     int pixels = image->width * image->height;
@@ -156,6 +201,7 @@ int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_save, start, stop),
+        cmocka_unit_test_setup_teardown(test_save_moving, start, stop),
         cmocka_unit_test_setup_teardown(test_save_sides, start, stop),
         cmocka_unit_test_setup_teardown(test_inspect, start, stop),
     };

@@ -34,6 +34,10 @@ void describe_picture(AttributeList *list, const Scene *scene, const Renderer *r
     attribute_add(list, "magichour.light", "%s", renderer->light.text);
     attribute_add(list, "magichour.sequence", "%s", renderer->sequence.text);
     attribute_add(list, "magichour.seed", "%u", renderer->seed);
+    if (scene->values.time_s > 0) attribute_add(list, "magichour.time", "%.9g", scene->values.time_s);
+    const double *mouse = scene->values.mouse;
+    if (mouse[0] != 0 || mouse[1] != 0 || mouse[2] != 0 || mouse[3] != 0)
+        attribute_add(list, "magichour.mouse", "%.9g,%.9g,%.9g,%.9g", mouse[0], mouse[1], mouse[2], mouse[3]);
     attribute_add(list, "magichour.backend", "%s%s%s", context->backend ? context->backend->name : "window",
                   context->backend ? ", " : "", context->detail);
     attribute_add(list, "magichour.gl_renderer", "%s", context->renderer);

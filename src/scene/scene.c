@@ -24,6 +24,7 @@ static const struct {
     {"sun.radius", offsetof(SceneValues, sun.radius_deg), 1, 0.01, 30},
     {"exposure", offsetof(SceneValues, exposure_ev), 1, -64, 64},
     {"time", offsetof(SceneValues, time_s), 1, 0, 1e6},
+    {"mouse", offsetof(SceneValues, mouse), 4, -1e6, 1e6},
     {"camera.eye", offsetof(SceneValues, camera.eye), 3, -1e6, 1e6},
     {"camera.target", offsetof(SceneValues, camera.target), 3, -1e6, 1e6},
     {"camera.fov", offsetof(SceneValues, camera.fov_deg), 1, 0.01, 179},

@@ -85,6 +85,8 @@ void view_command(const CommandParams *params, Text *command) {
         print_setting(command, "camera.", "fov", &now->camera.fov_deg, 1);
     if (differ(&now->exposure_ev, &file->exposure_ev, 1))
         print_number(command, " --exposure ", now->exposure_ev);
+    if (differ(&now->time_s, &file->time_s, 1)) print_setting(command, "", "time", &now->time_s, 1);
+    if (differ(now->mouse, file->mouse, 4)) print_setting(command, "", "mouse", now->mouse, 4);
     print_parameters(command, params->scene);
     print_atmosphere(command, &now->atmosphere, &file->atmosphere);
 }

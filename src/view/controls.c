@@ -264,6 +264,7 @@ static void on_button(Controls *controls, ViewState *state, const WindowEvent *e
     controls->last[0] = state->pointer[0] = event->x;
     controls->last[1] = state->pointer[1] = event->y;
     if (left) state->left_down = down;
+    state->clicked |= left && down;
     if (left && down) {
         memcpy(state->pressed, state->pointer, sizeof state->pressed);
         memcpy(state->dragged, state->pointer, sizeof state->dragged);

@@ -55,6 +55,10 @@ void view_own_sun(ViewState *state, bool own) {
 }
 
 void view_mouse(const ViewState *state, int height, double mouse[4]) {
+    if (!state->clicked) {
+        memcpy(mouse, state->scene.values.mouse, sizeof state->scene.values.mouse);
+        return;
+    }
     double sign = state->left_down ? 1 : -1;
     mouse[0] = state->dragged[0];
     mouse[1] = height - state->dragged[1];

@@ -50,6 +50,8 @@ typedef struct ViewState {
     double pointer[2], dragged[2],
         pressed[2]; /* pixels from the top left corner: now, while the left button was last down, and */
     bool left_down; /* where it was pressed */
+    /* The left button was pressed once. Before that, iMouse is what the scene's settings say. */
+    bool clicked;
     Wishes wishes;
     Notice notice;
 } ViewState;
