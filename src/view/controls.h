@@ -1,5 +1,5 @@
-/* Keys and mouse: each event changes the view's state. What the keys do stands in one table in controls.c,
- * which the help is made from. */
+/* Keys and mouse. Each event changes the view's state. A table in controls.c says what the keys do; the help
+ * is made from it. */
 #pragma once
 
 #include "view/state.h"
@@ -10,24 +10,29 @@ typedef enum Drag { DRAG_NONE, DRAG_ORBIT, DRAG_LOOK, DRAG_PAN, DRAG_SUN, DRAG_D
 typedef struct Controls {
     Drag drag;
     int drag_button;
-    int drag_side; /* whose sun is dragged */
+    /* The side whose sun is dragged. */
+    int drag_side;
     double last[2];
-    bool held[6]; /* W A S D E Q */
-    bool s_drags; /* the S that is held has become a drag of the sun */
+    /* Whether W, A, S, D, E and Q are held. */
+    bool held[6];
+    /* Whether S is held to drag the sun, not to fly. */
+    bool s_drags;
     double s_since, eye_before_s[3], target_before_s[3];
 } Controls;
 
-/* A line of the help: "right drag", "move the sun". NULL past the end. */
+/* A line of the help, such as "right drag" and "move the sun". */
 typedef struct ControlsHelp {
     const char *keys, *what;
 } ControlsHelp;
+
+/* Returns a line of the help, or NULL past the end. */
 const ControlsHelp *controls_help(int index);
 
-/* `width` and `height` are the picture's. */
+/* Handles an event. `width` and `height` are those of the picture. */
 void controls_event(Controls *controls, ViewState *state, const WindowEvent *event, int width, int height);
 
-/* Keys that are held move the camera; `seconds` since the last call. */
+/* Moves the camera by the keys that are held. `seconds` is the time since the last call. */
 void controls_fly(Controls *controls, ViewState *state, double seconds);
 
-/* All keys and buttons as if let go of. */
+/* Acts as if all keys and buttons were released. */
 void controls_release(Controls *controls);

@@ -1,9 +1,10 @@
-/* The window's picture: films drawn straight from their textures, tone-mapped as in a PNG. */
+/* Draws the window's picture. Films are drawn from their textures, tone-mapped as in a PNG. */
 #pragma once
 
 #include "gl/film.h"
 
-/* A program for each way of showing, as drivers without a GPU take every branch of a program. */
+/* Each way of showing has a program of its own, because drivers without a GPU execute every branch of a
+ * program. */
 typedef enum DisplayWay {
     DISPLAY_PICTURE,
     DISPLAY_ENLARGED,
@@ -16,20 +17,27 @@ typedef struct Display {
     Program programs[DISPLAY_WAYS];
 } Display;
 
-/* A film; over it, the rows from the top that its successor has of a first group, which stand in its back. */
+/* A film. While the next picture's first group of samples is drawn, its rows so far are shown over the film.
+ */
 typedef struct DisplaySide {
-    const Film *film, *next; /* `next` may be NULL */
+    /* `next` may be NULL. */
+    const Film *film, *next;
+    /* The rows of `next`, from the top, that are drawn already. They are in the back of its target. */
     int rows;
 } DisplaySide;
 
 typedef struct DisplayParams {
-    DisplaySide sides[2]; /* the second may be empty */
-    int width, height;    /* of the window's framebuffer; a film of another size is enlarged to it */
-    double divider;       /* 0 to 1: right of it is the second side */
+    /* The second side may be empty. */
+    DisplaySide sides[2];
+    /* The size of the window's framebuffer. A film of another size is enlarged to it. */
+    int width, height;
+    /* The place of the divider, from 0 to 1. The second side is right of it. */
+    double divider;
     double exposure_ev;
-    double difference; /* radiance at the ends of the false colours that show the sides' difference; 0 shows
-                          the sides */
-    GLuint raw;        /* in place of the sides: a texture that is a picture already, row 0 at its bottom */
+    /* If this is not 0, the sides' difference is shown in false colours. Their ends are at this radiance. */
+    double difference;
+    /* If this is not 0, it is a texture that is shown in place of the sides. Its row 0 is at the bottom. */
+    GLuint raw;
 } DisplayParams;
 
 MUST_CHECK bool display_create(Display *display, const Context *context, const char *library, Error *error);

@@ -1,4 +1,4 @@
-/* What the overlay tells of the pictures. */
+/* The figures that the overlay shows about the pictures. */
 #pragma once
 
 #include "view/state.h"
@@ -7,50 +7,65 @@
 
 enum { MOST_CURVE = 160 };
 
-/* The estimated error as the picture converged. */
+/* The estimated error against time, while the picture converged. */
 typedef struct ErrorCurve {
     double seconds[MOST_CURVE], percent[MOST_CURVE];
     int count;
 } ErrorCurve;
 
 typedef struct SideFigures {
-    char methods[192];    /* what was chosen */
-    uint64_t samples;     /* a pixel; frames of a Shadertoy program */
-    double error_percent; /* estimated; NaN while it is not known */
+    /* The names of the methods in use. */
+    char methods[192];
+    /* Samples of each pixel, or frames of a Shadertoy program. */
+    uint64_t samples;
+    /* The estimated error. NaN while it is not known. */
+    double error_percent;
     double paths_per_second, seconds;
-    int coarseness; /* pixels a side of one of the preview's; 1 at rest */
+    /* The side of a preview's pixel, in pixels of the picture. 1 if the picture is at rest. */
+    int coarseness;
     ErrorCurve curve;
 } SideFigures;
 
-/* The pixel under the pointer; not known while things move. */
+/* The pixel under the pointer. It is not known while something moves. */
 typedef struct PixelFigures {
     bool known;
     int x, y;
-    int place; /* 0 where there is one picture, 1 on the left of two, 2 on the right */
-    double radiance[3], samples, error_percent; /* standard error of the mean over it, by luminance */
+    /* 0 if there is one picture; 1 on the left of two pictures, 2 on the right. */
+    int place;
+    /* The error is the standard error of the mean, relative to the mean, by luminance. */
+    double radiance[3], samples, error_percent;
     double albedo[3], depth, hits;
 } PixelFigures;
 
 typedef struct ViewFigures {
     SideFigures sides[MOST_SIDES];
     PixelFigures pixel;
-    double frame_s; /* the last frame took */
+    /* How long the last frame took. */
+    double frame_s;
     int width, height;
-    double scale; /* pixels per unit of the window's coordinates */
+    /* Pixels per unit of the window's coordinates. */
+    double scale;
     const char *gl_renderer;
-    bool scene; /* whether there is one, or a Shadertoy program */
+    /* False if a Shadertoy program is shown in place of a scene. */
+    bool scene;
 } ViewFigures;
 
-/* Adds a point, if it is some way from the last. */
+/* Adds a point, if it is far enough from the last one. */
 void curve_extend(ErrorCurve *curve, double seconds, double percent);
 
-/* Where a point of at least two is drawn, 0 to 1 from the left and from the top. Both axes are logarithmic:
- * a straight line falls by half where the time quadruples. */
+/* Sets `place` to where a point is drawn, from 0 to 1 from the left and from the top. The curve has at least
+ * two points. Both axes are logarithmic. The error of independent samples, which halves when the time
+ * quadruples, is a straight line. */
 void curve_place(const ErrorCurve *curve, int point, double place[2]);
 
-/* In words: "80 samples in 2.2 s"; "error about 1.04 %"; these with methods and speed, in three lines; a
- * pixel's, in five. */
+/* Prints "80 samples in 2.2 s". */
 void figures_progress(const SideFigures *side, char *text, size_t size);
+
+/* Prints "error about 1.04 %". */
 void figures_error(const SideFigures *side, char *text, size_t size);
+
+/* Prints progress, error, methods and speed of a side in three lines. */
 void figures_side(const SideFigures *side, char *text, size_t size);
+
+/* Prints the figures of a pixel in five lines. */
 void figures_pixel(const PixelFigures *pixel, char *text, size_t size);

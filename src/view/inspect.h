@@ -1,4 +1,4 @@
-/* The pixel under the pointer. */
+/* Finds the figures of the pixel under the pointer. */
 #pragma once
 
 #include "render/aov.h"
@@ -12,9 +12,10 @@ typedef struct Inspect {
     int width, height;
 } Inspect;
 
-/* Of the picture that `renderer` has at rest, for which it was made with `params`. */
+/* Sets `figures` to those of a pixel of the renderer's picture, which is at rest. `params` are those that the
+ * renderer was made with. */
 MUST_CHECK bool inspect_pixel(Inspect *inspect, const Context *context, const RenderParams *params,
                               const Renderer *renderer, int x, int y, PixelFigures *figures, Error *error);
 
-/* To be called when the scene's text has changed, and at the end. */
+/* Call this when the scene's text has changed, and at the end. */
 void inspect_destroy(Inspect *inspect);

@@ -1,13 +1,17 @@
-/* What happens in the window, for programs: one JSON object a line on standard error, where --progress json
- * asks for it. */
+/* A log of what happens in the window, for programs: one JSON object a line on standard error. It is on if
+ * the user gives --progress json. */
 #pragma once
 
 #include <stdbool.h>
 
-/* Starts a line with the event's name and the time (seconds of the clock that tests can read too:
- * CLOCK_MONOTONIC). `log_end` ends it. Nothing is written while it is off. */
+/* Turns the log on or off. Nothing is written while it is off. */
 void log_enable(bool on);
+
+/* Starts a line with the event's name and the time, in seconds of the clock CLOCK_MONOTONIC, which tests can
+ * read too. log_end() ends the line. */
 void log_begin(const char *event);
-void log_number(const char *name, double value); /* null where it is not finite */
+
+/* A value that is not finite is written as null. */
+void log_number(const char *name, double value);
 void log_text(const char *name, const char *value);
 void log_end(void);

@@ -1,4 +1,5 @@
-/* The panel and the notes over the picture, by Dear ImGui: the one part that is C++, behind this header. */
+/* The panel and the notes over the picture, drawn by Dear ImGui. The files behind this header are the only
+ * part of the host in C++. */
 #pragma once
 
 #ifdef __cplusplus
@@ -10,17 +11,18 @@ extern "C" {
 
 typedef struct Overlay Overlay;
 
-/* NULL (STATUS_FAILURE) where ImGui cannot draw on this OpenGL. */
+/* Returns NULL and STATUS_FAILURE if ImGui cannot draw with this OpenGL. */
 Overlay *overlay_create(Window *window, Error *error);
 void overlay_destroy(Overlay *overlay);
 
-/* Tells it an event; whether that was for the panel alone. `panel`: whether that is still wanted. */
+/* Passes an event to the overlay. Returns whether the event was for the panel alone. `panel` says whether the
+ * panel is shown. */
 bool overlay_event(Overlay *overlay, const WindowEvent *event, bool panel);
 
-/* Lays out the panel for this frame; what the user does there goes into `state`. */
+/* Lays out the panel for this frame. What the user does there changes `state`. */
 void overlay_build(Overlay *overlay, ViewState *state, const ViewFigures *figures);
 
-/* Draws it on framebuffer 0. */
+/* Draws the overlay on framebuffer 0. */
 void overlay_draw(Overlay *overlay);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* What the overlay is made of: the panel, and notes over the picture. Lengths are in heights of the font. */
+/* The parts of the overlay: the panel, and notes over the picture. Lengths are in heights of the font. */
 #pragma once
 
 extern "C" {
@@ -15,18 +15,18 @@ static inline float em(float heights) {
     return heights * ImGui::GetFontSize();
 }
 
-/* From the top to `floor`; gives where it is, from x, y to z, w. What the user does there goes into `state`.
- */
+/* Draws the panel from the top down to `floor`. Returns its place, from (x, y) to (z, w). What the user does
+ * there changes `state`. */
 ImVec4 overlay_panel(ViewState *state, const ViewFigures *figures, float floor);
 
-/* Notes stand on `floor` and give the next one's. */
+/* A note stands on `floor`. Each function returns the floor for the next note. */
 float overlay_notice(const ViewState *state, float floor);
 float overlay_prompt(const ViewState *state, float floor);
 float overlay_sides(const ViewState *state, const ViewFigures *figures, float floor);
 
-/* The false colours' scale, in the upper right corner. */
+/* Draws the scale of the false colours in the upper right corner. */
 void overlay_range(const ViewState *state);
 void overlay_divider(const ViewState *state);
 
-/* Beside the pointer, but not over the panel. */
+/* Draws the pixel's figures beside the pointer, but not over the panel. */
 void overlay_pixel(const ViewFigures *figures, const ImVec4 &panel);

@@ -1,5 +1,5 @@
-/* One picture of the window as it converges: a renderer that is told of every change, a coarser preview while
- * things move, and what was measured. */
+/* One picture of the window. A pane has a renderer that follows every change. While something moves, it shows
+ * a coarser preview. */
 #pragma once
 
 #include "error/noise.h"
@@ -7,7 +7,7 @@
 #include "view/figures.h"
 #include "view/state.h"
 
-/* What a pane has to show; whatever differs from the last time starts the picture anew. */
+/* What a pane has to show. Any change starts the picture anew. */
 typedef struct PaneParams {
     const Context *context;
     const char *library;
@@ -16,46 +16,67 @@ typedef struct PaneParams {
     int width, height;
     unsigned seed;
     int max_hits;
-    uint64_t samples;   /* a pixel, after which the picture rests */
-    bool moving;        /* something changed lately: a preview goes on */
-    bool whole;         /* no previews: each picture is taken to its end */
-    bool (*stop)(void); /* asked in the middle of a frame at rest: whether something is more urgent */
-    double budget_s;    /* of time for a frame */
+    /* The picture is done after this number of samples of each pixel. */
+    uint64_t samples;
+    /* Something changed lately, so the preview goes on. */
+    bool moving;
+    /* There are no previews, and each picture is rendered to its end. */
+    bool whole;
+    /* Called during a frame at rest. Returns true if something else is more urgent. */
+    bool (*stop)(void);
+    /* The time for a frame. */
+    double budget_s;
 } PaneParams;
 
 typedef struct Pane {
-    Renderer renderer; /* its gl is NULL before the first update */
-    Film kept; /* the picture of before, shown as long as the renderer's film is empty; may be empty itself */
-    /* What the renderer was told; owned. */
+    /* Its `gl` is NULL before the first update. */
+    Renderer renderer;
+    /* The previous picture. It is shown as long as the renderer's film is empty. It may be empty itself. */
+    Film kept;
+    /* The scene that the renderer shows; owned. */
     Scene scene;
     MethodNames methods;
-    int width, height;        /* of the picture at rest */
-    int coarseness;           /* the film has 1 / coarseness of them; 1 at rest */
-    unsigned preview_samples; /* a pixel and frame; 0 at rest */
-    double paths_per_second;  /* measured lately; 0 is not known */
-    double preview_rate;      /* the same of previews */
-    GLuint measured;          /* the program that was */
-    double seconds;           /* spent on the picture */
-    uint64_t paths;           /* of the picture */
-    double error_percent;     /* estimated; NaN while it is not known */
-    double mean; /* of the picture's radiance, over pixels and channels; 0 while it is not known */
+    /* The size of the picture at rest. */
+    int width, height;
+    /* The film's width and height are those of the picture divided by this. 1 at rest. */
+    int coarseness;
+    /* Samples of each pixel in a frame of a preview. 0 at rest. */
+    unsigned preview_samples;
+    /* The speed that was measured last. 0 while it is not known. */
+    double paths_per_second;
+    /* The same for previews. */
+    double preview_rate;
+    /* The program whose speed was measured. */
+    GLuint measured;
+    /* Time spent on the picture. */
+    double seconds;
+    /* Paths of the picture so far. */
+    uint64_t paths;
+    /* The estimated error. NaN while it is not known. */
+    double error_percent;
+    /* The mean radiance over pixels and channels. 0 while it is not known. */
+    double mean;
     ErrorCurve curve;
-    Noise noise;  /* of the picture at rest */
-    bool changed; /* by the last update, other than from preview to rest */
+    /* The noise of the picture at rest. */
+    Noise noise;
+    /* Whether the last update changed the picture. A change from preview to rest does not count. */
+    bool changed;
 } Pane;
 
-/* Starts anew if anything has changed, with a preview, and with the picture itself when things rest. Where
- * that is refused (STATUS_USAGE, STATUS_SCENE) the pane goes on as it was. */
+/* Starts anew if anything has changed: with a preview while something moves, and with the picture itself at
+ * rest. If the change is refused (STATUS_USAGE, STATUS_SCENE), the pane goes on as it was. */
 MUST_CHECK bool pane_update(Pane *pane, const PaneParams *params, Error *error);
 
-/* After an edit of the files: compiles everything anew, and then takes it, so that of several panes all do or
- * none. The picture so far stays until the next has begun. */
+/* After an edit of the files, pane_compile() compiles everything into `next`, and pane_take() puts `next` to
+ * use. With several panes, compile all of them before you take the first, so that all change or none. The old
+ * picture stays until the next one has begun. */
 MUST_CHECK bool pane_compile(const PaneParams *params, Renderer *next, Error *error);
 void pane_take(Pane *pane, const PaneParams *params, const Renderer *next);
 void pane_destroy(Pane *pane);
 
-/* Draws for about the budget, and looks at the picture whenever its samples have doubled. */
+/* Draws for about the time of the budget. The error is estimated whenever the picture's samples have doubled.
+ */
 MUST_CHECK bool pane_draw(Pane *pane, const PaneParams *params, Error *error);
 
-/* Whether all samples were taken. */
+/* Says whether all samples were taken. */
 bool pane_rests(const Pane *pane, const PaneParams *params);

@@ -1,4 +1,4 @@
-/* What the window shows: a scene's picture or two, or a Shadertoy program. */
+/* What the window shows: one or two pictures of a scene, or a Shadertoy program. */
 #pragma once
 
 #include "view/display.h"
@@ -12,49 +12,57 @@
 typedef struct Picture {
     const ViewParams *params;
     const Context *context;
-    int width, height; /* of the window, pixels */
+    /* The window's size in pixels. */
+    int width, height;
     Pane panes[MOST_SIDES];
-    Toy toy; /* in place of the panes, if its program is not empty */
+    /* Shown in place of the panes if its program is not empty. */
+    Toy toy;
     Inspect inspect;
-    Scene good_scene; /* what the panes were told last that they did not refuse */
+    /* The last scene and methods that the panes did not refuse. */
+    Scene good_scene;
     MethodNames good_methods[MOST_SIDES];
-    bool wants_time, wants_mouse; /* whether the scene names iTime, iMouse */
-    double changed;               /* when */
-    int pictures;                 /* begun so far */
+    /* Whether the scene mentions iTime and iMouse. */
+    bool wants_time, wants_mouse;
+    /* The time of the last change. */
+    double changed;
+    /* The number of pictures that were begun. */
+    int pictures;
 } Picture;
 
-/* STATUS_SCENE where a Shadertoy program does not compile; scenes are compiled with the first update. */
+/* Fails with STATUS_SCENE if a Shadertoy program does not compile. Scenes are compiled by the first update.
+ */
 MUST_CHECK bool picture_create(Picture *picture, const ViewParams *params, const Context *context,
                                ViewState *state, Error *error);
 void picture_destroy(Picture *picture);
 
-/* Tells it what the state is now. What is refused goes back to what it was, and is told in `refusal` (status
- * STATUS_DONE where there is none); only the first scene must not be. */
+/* Follows the state. If a change is refused, the state goes back to what it was, and `refusal` has the
+ * reason. If nothing is refused, the status of `refusal` is STATUS_DONE. A refused first scene is a failure.
+ */
 MUST_CHECK bool picture_update(Picture *picture, ViewState *state, Error *refusal, Error *error);
 
-/* Draws for some milliseconds; `drew` tells whether there was anything left to draw. */
+/* Draws for some milliseconds. Sets `drew` to whether there was anything left to draw. */
 MUST_CHECK bool picture_draw(Picture *picture, const ViewState *state, bool *drew, Error *error);
 
-/* Whether something changed so lately that the next frame should come at once. */
+/* Says whether something changed so lately that the next frame should come at once. */
 bool picture_moves(const Picture *picture);
 
-/* Whether there is nothing left to draw. */
+/* Says whether nothing is left to draw. */
 bool picture_rests(const Picture *picture, const ViewState *state);
 
-/* Reads the scene's file again. What was set in the window stays; a file that is broken changes nothing. */
+/* Reads the scene's file again. What was set in the window stays. A file with an error changes nothing. */
 MUST_CHECK bool picture_reload(Picture *picture, ViewState *state, Error *error);
 
-/* Adds the files that it is made of, rows of spheres among them. */
+/* Adds all files that the picture is made of to `watch`, also a file of spheres. */
 void picture_watch(Picture *picture, const ViewState *state, Watch *watch);
 
 DisplayParams picture_display(const Picture *picture, const ViewState *state);
 
-/* Its figures, and those of the pixel under the pointer if they are wanted. */
+/* Fills in the figures of the pictures, and those of the pixel under the pointer if they are shown. */
 MUST_CHECK bool picture_figures(Picture *picture, const ViewState *state, ViewFigures *figures, Error *error);
 
-/* Whether all that is shown has a group of samples at rest, and so can be saved. */
+/* Says whether everything shown is at rest and has a group of samples, so that it can be saved. */
 bool picture_is_whole(const Picture *picture, const ViewState *state);
 
-/* As save_picture() does. */
+/* Saves what is shown, as save_picture() does. */
 MUST_CHECK bool picture_save(const Picture *picture, const ViewState *state, const char *name, bool exr,
                              Error *error);

@@ -1,29 +1,34 @@
-/* What the window shows, as files. */
+/* Saves what the window shows as files. */
 #pragma once
 
 #include "view/pane.h"
 
 typedef struct SaveParams {
-    const Pane *sides[MOST_SIDES]; /* the second NULL where there is one picture */
+    /* The second is NULL if there is one picture. */
+    const Pane *sides[MOST_SIDES];
     double divider;
-    double difference;  /* radiance at the ends of the false colours; 0 shows the sides */
-    const Scene *scene; /* of the first side */
+    /* The radiance at the ends of the false colours. 0 means that the sides are shown. */
+    double difference;
+    /* The scene of the first side. */
+    const Scene *scene;
     const Context *context;
     int max_hits;
     /* NULL where the GLSL library is the one beside the program. */
     const char *glsl_dir;
 } SaveParams;
 
-/* The first of NAME-001, NAME-002 ... in the working folder of which there is neither EXR nor PNG, NAME after
- * the scene's file. */
+/* Chooses the first name of NAME-001, NAME-002 ... for which the working folder has neither an EXR nor a PNG.
+ * NAME is that of the scene's file. */
 void save_choose_name(const Scene *scene, char *name, size_t size);
 
-/* A texture that holds a picture as a screen shows it, row 0 at its bottom: the EXR gets it in linear light.
- */
+/* Saves a texture that holds a picture as a screen shows it. Its row 0 is at the bottom. In the EXR it is
+ * converted to linear light. */
 MUST_CHECK bool save_texture(const Target *target, const char *path, const char *name, bool exr,
                              Error *error);
 
-/* Writes NAME.exr and NAME.png, or only the latter. Of two sides the picture holds what is shown of each, or
- * left less right where the difference is shown, in false colours in the PNG; the EXR has both sides whole as
- * layers `left` and `right`. The metadata has the `render` command that makes the (first) picture again. */
+/* Writes NAME.png, and NAME.exr if `exr` is set.
+ *
+ * If there are two sides, the picture has the shown part of each, and the EXR also has both complete sides as
+ * layers `left` and `right`. If the difference is shown, the picture is left minus right, in false colours in
+ * the PNG. The metadata have the `render` command that makes the (first) picture again. */
 MUST_CHECK bool save_picture(const SaveParams *params, const char *name, bool exr, Error *error);

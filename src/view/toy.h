@@ -7,32 +7,37 @@
 #include <stdint.h>
 
 typedef struct Toy {
-    Program program; /* empty where there is no such file */
+    /* Empty if the file is no Shadertoy program. */
+    Program program;
     Target target;
-    int frame;                /* that is being drawn; its predecessor is the front */
-    int row;                  /* where it is */
-    double pixels_per_second; /* measured */
-    double time_s, delta_s;   /* of that frame */
+    /* The frame that is being drawn. The frame before is the target's front. */
+    int frame;
+    /* The next row of the frame. */
+    int row;
+    /* The measured speed. */
+    double pixels_per_second;
+    /* The frame's time, and the time since the frame before. */
+    double time_s, delta_s;
     double mouse[4];
 } Toy;
 
-/* Whether the file is one. False too where it cannot be read, which is for others to say. */
+/* Says whether the file is a Shadertoy program. Returns false if it cannot be read; others report that. */
 bool toy_is(const char *library, const char *path);
 
-/* Replaces the program and keeps the history. A `toy` that is empty becomes one. STATUS_SCENE with
- * "file:line: ..." leaves it as it was. */
+/* Replaces the program and keeps the frame before. `toy` may be empty. If it fails with STATUS_SCENE and
+ * "file:line: ...", `toy` is unchanged. */
 MUST_CHECK bool toy_compile(Toy *toy, const Context *context, const char *library, const char *path,
                             Error *error);
 void toy_destroy(Toy *toy);
 
-/* Makes it this large, which begins anew where it was not. */
+/* Sets the size. If the size changes, the program starts at its first frame. */
 MUST_CHECK bool toy_resize(Toy *toy, const Context *context, int width, int height, Error *error);
 void toy_restart(Toy *toy);
 
-/* Draws for about `seconds`, or until `stop` says yes; a frame may take several calls and keeps the time and
- * the mouse that it began with. */
+/* Draws for about `seconds`, or until `stop` returns true. A frame may take several calls. It keeps the time
+ * and the mouse that it began with. */
 MUST_CHECK bool toy_draw(Toy *toy, double seconds, double time_s, const double mouse[4], bool (*stop)(void),
                          Error *error);
 
-/* The last whole frame, row 0 at its bottom. */
+/* Returns the texture of the last complete frame. Its row 0 is at the bottom. */
 GLuint toy_texture(const Toy *toy);

@@ -1,4 +1,4 @@
-/* The window: one loop that hears events, draws for some milliseconds, and shows what there is. */
+/* The window. A loop handles events, draws for some milliseconds, and shows the picture so far. */
 #pragma once
 
 #include "view/state.h"
@@ -9,20 +9,26 @@ typedef struct ViewParams {
     /* Reads the scene's file with the command line's settings over it: at the start, and after each edit. */
     bool (*load)(const void *data, Scene *scene, Error *error);
     const void *data;
-    const char *path;    /* of the scene */
-    const char *library; /* folder of the GLSL library */
-    /* The same where it was named on the command line, to be said in the command that a picture is saved
-     * with. */
+    /* The scene's file. */
+    const char *path;
+    /* The folder of the GLSL library. */
+    const char *library;
+    /* The same folder if the command line names it, for the command in the metadata of saved pictures.
+     * Otherwise NULL. */
     const char *glsl_dir;
-    MethodNames methods; /* of the left side; the right side's begin as cosine and random */
-    int width, height;   /* 0 for the scene's */
+    /* The methods of the left side. The right side begins with cosine and random. */
+    MethodNames methods;
+    /* 0 means the scene's size. */
+    int width, height;
     unsigned seed;
     int max_hits;
-    uint64_t samples;   /* a pixel, after which a picture rests; 0 is many */
-    const char *record; /* folder for the frames of a day, which is played once; NULL for none */
+    /* A picture is done after this number of samples of each pixel. 0 means a large number. */
+    uint64_t samples;
+    /* The folder for the frames of a day, which is played once. NULL means that nothing is recorded. */
+    const char *record;
     bool (*stop)(void);
 } ViewParams;
 
-/* Until the window is closed. STATUS_NO_GL without a display, STATUS_SCENE for a scene that does not compile
- * at the start. */
+/* Runs until the window is closed. Fails with STATUS_NO_GL if there is no display, and with STATUS_SCENE if
+ * the scene does not compile at the start. */
 MUST_CHECK bool view_run(const ViewParams *params, Error *error);

@@ -1,5 +1,5 @@
-/* Which files a picture was made from, and whether one of them has changed: by looking at them, which works
- * on every file system and however an editor saves. */
+/* Watches the files that a picture was made from, and says when one of them has changed. It looks at the
+ * files again and again. This works on every file system, and however an editor saves. */
 #pragma once
 
 #include "scene/glsl_source.h"
@@ -7,23 +7,27 @@
 typedef struct WatchedFile WatchedFile;
 
 typedef struct Watch {
-    WatchedFile *files; /* owned */
+    /* Owned. */
+    WatchedFile *files;
     int count;
-    double looked;  /* when */
-    bool unsettled; /* something changed at the last look */
-    bool folders;   /* what comes and goes beside the files counts too */
+    /* The time of the last look. */
+    double looked;
+    /* Something had changed at the last look. */
+    bool unsettled;
+    /* Files that appear or disappear in the same folders count too. */
+    bool folders;
 } Watch;
 
-/* Watches these files and every .glsl file below the library's folder, from now on and beside those it has.
- */
+/* Adds these files, and every .glsl file below the library's folder. */
 void watch_add(Watch *watch, const char *library, const GlslSource *source);
 void watch_add_file(Watch *watch, const char *path);
 
-/* Whether a change of the files' folders counts too: a scene that names a missing file is mended by one that
- * could not be watched before. */
+/* Turns on or off whether changes of the files' folders count too. If a scene names a missing file, the new
+ * file mends it, and could not be watched before. */
 void watch_folders(Watch *watch, bool on);
 void watch_free(Watch *watch);
 
-/* Whether a file has changed since the last yes, and then stayed as it is for a moment: nobody is still
- * writing it. Looks about ten times a second, however often it is asked. */
+/* Says whether a file has changed since this function last returned true. A change counts only after the file
+ * has stayed the same for a moment, because an editor may still be writing it. It looks about ten times a
+ * second, however often it is called. */
 bool watch_changed(Watch *watch);

@@ -1,4 +1,4 @@
-/* A visible window with an OpenGL 3.3 context, and what happens to it as a list of events. */
+/* A visible window with an OpenGL 3.3 context. What happens to it is a list of events. */
 #pragma once
 
 #include "gl/context.h"
@@ -6,51 +6,64 @@
 typedef struct GLFWwindow GLFWwindow;
 
 typedef enum WindowEventKind {
-    WINDOW_KEY,    /* key, scancode, action, modifiers: GLFW's own numbers */
-    WINDOW_TEXT,   /* codepoint */
-    WINDOW_BUTTON, /* key is the button; action, modifiers, x, y */
-    WINDOW_MOVE,   /* x, y */
-    WINDOW_SCROLL, /* x, y: steps of the wheel */
-    WINDOW_FOCUS   /* action: 1 where the window has the keyboard, 0 where it lost it */
+    /* Has key, scancode, action and modifiers, in GLFW's numbers. */
+    WINDOW_KEY,
+    /* Has codepoint. */
+    WINDOW_TEXT,
+    /* Has key (the button), action, modifiers, x and y. */
+    WINDOW_BUTTON,
+    /* Has x and y. */
+    WINDOW_MOVE,
+    /* Has x and y, in steps of the wheel. */
+    WINDOW_SCROLL,
+    /* Has action: 1 if the window got the keyboard, 0 if it lost it. */
+    WINDOW_FOCUS
 } WindowEventKind;
 
 typedef struct WindowEvent {
     WindowEventKind kind;
     int key, scancode, action, modifiers;
     unsigned codepoint;
-    double x, y; /* of the pointer: pixels of the picture from its top left corner */
+    /* The pointer's place, in pixels of the picture from its top left corner. */
+    double x, y;
 } WindowEvent;
 
 typedef struct Window {
     GLFWwindow *handle;
     Context context;
-    int width, height; /* pixels of the picture; 0 while the window is minimised */
-    double scale;      /* pixels per unit of the window's coordinates */
-    double pointer[2]; /* where the last event saw it; GLFW would tell where it is by now */
-    bool closed;       /* the user wants it gone */
-    bool exposed;      /* what it shows was lost, or its size changed */
+    /* The picture's size in pixels. 0 while the window is minimised. */
+    int width, height;
+    /* Pixels per unit of the window's coordinates. */
+    double scale;
+    /* The pointer's place at the last event. GLFW would tell a later place. */
+    double pointer[2];
+    /* Whether the user wants to close the window. */
+    bool closed;
+    /* Whether the window's content was lost, or its size has changed. */
+    bool exposed;
     WindowEvent *events;
     int event_count, event_capacity;
-    double heard;  /* the first of `events` came after this time, */
-    double polled; /* and nothing else until this time */
+    /* The first of `events` came after the time `heard`. There were no others until the time `polled`. */
+    double heard;
+    double polled;
 } Window;
 
-/* At most as large as the screen. STATUS_NO_GL where there is no display, or no OpenGL 3.3 on it. The window
- * must stay where it is in memory. */
+/* Opens a window that is at most as large as the screen. Fails with STATUS_NO_GL if there is no display, or
+ * no OpenGL 3.3 on it. The Window must not move in memory. */
 MUST_CHECK bool window_open(Window *window, const char *title, int width, int height, Error *error);
 void window_close(Window *window);
 
-/* Waits up to `seconds` for something to happen; what did is added to `events`, which the caller empties. */
+/* Waits up to `seconds` for something to happen. Events are added to `events`, which the caller empties. */
 void window_poll(Window *window, double seconds);
 
-/* Looks whether something has happened to the window that was opened last; to be asked in the middle of long
- * work. */
+/* Says whether something has happened to the window that was opened last. Call it in the middle of long work.
+ */
 bool window_calls(void);
 
 /* Shows what was drawn on framebuffer 0. */
 void window_present(Window *window);
 
-/* How much larger than usual things should be for this screen, in the window's coordinates. */
+/* Returns how much larger than usual things should be on this screen, in the window's coordinates. */
 double window_magnification(const Window *window);
 
 void window_set_title(Window *window, const char *title);
