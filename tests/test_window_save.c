@@ -128,8 +128,11 @@ static void test_save_moving(void **state) {
                program, text_string(&command));
     snprintf(words, sizeof words, "sh '%s'", support_write("again.sh", text_string(&script)));
     if (system(words) != 0) fail_msg("%s", text_string(&command));
-    assert_int_equal(support_run("", "compare '%s' '%s' --max-relrmse 0", saved, support_path("picture.exr")),
-                     0);
+    text_free(&scene);
+    text_print_quoted(&scene, saved);
+    assert_int_equal(
+        support_run("", "compare %s '%s' --max-relrmse 0", text_string(&scene), support_path("picture.exr")),
+        0);
     text_free(&script);
     text_free(&command);
     text_free(&scene);
