@@ -69,7 +69,7 @@ for target in $targets; do
     status=0
     chroot "$system" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 \
         ${http_proxy+http_proxy="$http_proxy"} ${https_proxy+https_proxy="$https_proxy"} \
-        make -C /root/magichour "$target" >"$folder/$target.log" 2>&1 </dev/null || status=$?
+        make --no-print-directory -C /root/magichour "$target" >"$folder/$target.log" 2>&1 </dev/null || status=$?
     took="after $(($(seconds) - start)) s"
     if [ $status != 0 ]; then
         failed=1 keep=yes

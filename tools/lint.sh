@@ -127,8 +127,9 @@ check_constants() {
 }
 
 # Every program of each scene, with each method, through the reference compiler: a driver accepts more than the language has.
+# Programs that are made more than once are compiled once.
 check_glslang() {
-    make -s all
+    make -s all >/dev/null
     for scene in scenes/*.glsl; do
         for sky in table gauss:4 gauss:12 paper uniform; do echo "$scene --sky $sky"; done
         echo "$scene --sun-disk=chance"
@@ -140,19 +141,41 @@ check_glslang() {
             done
         done
     done >"$work/choices"
-    xargs -a "$work/choices" -d '\n' -n 1 -P "$(nproc)" "$0" --flatten
+    found=0 programs=$work/programs
+    mkdir "$programs"
+    export programs
+    xargs -a "$work/choices" -d '\n' -n 1 -P "$(nproc)" "$0" --flatten || found=1
+    find "$programs" -name '*.frag' -print0 | xargs -0 -n 1 -P "$(nproc)" "$0" --compile >"$work/findings" || found=1
+    # Each place once, with one of the choices that come by it.
+    sort -u -t '(' -k 1,1 "$work/findings"
+    echo "lint: glslang: $(wc -l <"$work/choices") choices, $(find "$programs" -name '*.frag' | wc -l) different programs"
+    return "$found"
 }
 
-# One choice: its program is cut and given to the compiler. Messages of glslang's begin "ERROR: file:line:".
+# The programs of one choice, each into a file that is named by its content.
 if [ "${1-}" = --flatten ]; then
     # shellcheck disable=SC2086
-    if ! build/magichour flatten $2 >"$work/program.frag" 2>"$work/log"; then
+    if ! build/magichour flatten $2 >"$work/all" 2>"$work/log"; then
         echo "${2%% *}:1: flatten $2: $(cat "$work/log")"
         exit 1
     fi
-    glslangValidator "$work/program.frag" >"$work/log" && exit 0
-    echo "${2%% *}:1: flatten $2:"
-    cat "$work/log"
+    awk -v folder="$work" '/^\/\/ ==== / { n++; next } { print >(folder "/" n + 0 ".frag") }' "$work/all"
+    for program in "$work"/*.frag; do
+        name=$programs/$(sha1sum <"$program" | cut -d ' ' -f 1)
+        echo "$2" >"$name.choice"
+        mv "$program" "$name.frag"
+    done
+    exit 0
+fi
+
+# One program: glslang's messages begin "ERROR: N:LINE:". What follows the program's first "#line M N" is line M of the file.
+if [ "${1-}" = --compile ]; then
+    glslangValidator "$2" >"$work/log" && exit 0
+    grep '^ERROR: [0-9]*:[0-9]*:' "$work/log" | while IFS=: read -r _ source line message; do
+        text=$(sed -n "/^#line [0-9]*$source\$/{n;p;q;}" "$2")
+        file=$(grep -rlxF --include='*.glsl' -e "$text" glsl scenes | head -n 1)
+        echo "${file:-program}:$line:$message (flatten $(cat "${2%.frag}.choice"))"
+    done
     exit 1
 fi
 
