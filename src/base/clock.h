@@ -1,5 +1,5 @@
-/* Time that only goes forward. */
+/* A clock that only goes forward. */
 #pragma once
 
-/* Seconds since some fixed moment. */
+/* Returns the seconds since some fixed moment. */
 double clock_seconds(void);

@@ -1,4 +1,4 @@
-/* One error: what went wrong, where, and the exit status it becomes. */
+/* An error: what went wrong, where, and the exit status of the program. */
 #pragma once
 
 #include <stdbool.h>
@@ -6,18 +6,27 @@
 /* The program's exit statuses. */
 typedef enum Status {
     STATUS_DONE = 0,
-    STATUS_FAILURE = 1,      /* failure while running */
-    STATUS_USAGE = 2,        /* wrong command line */
-    STATUS_SCENE = 3,        /* scene or shader */
-    STATUS_NO_GL = 4,        /* no OpenGL context */
-    STATUS_OUTPUT = 5,       /* output not written */
-    STATUS_COMPARISON = 6,   /* `compare` past its bound */
-    STATUS_INTERRUPTED = 130 /* interrupted, picture saved */
+    /* Failure while running. */
+    STATUS_FAILURE = 1,
+    /* Wrong command line. */
+    STATUS_USAGE = 2,
+    /* Fault in a scene or a shader. */
+    STATUS_SCENE = 3,
+    /* No OpenGL context. */
+    STATUS_NO_GL = 4,
+    /* The output could not be written. */
+    STATUS_OUTPUT = 5,
+    /* The comparison of `compare` is past its bound. */
+    STATUS_COMPARISON = 6,
+    /* Interrupted by the user; the picture is saved. */
+    STATUS_INTERRUPTED = 130
 } Status;
 
 typedef struct Error {
     Status status;
-    char text[4096]; /* one line first, starting with its place where it has one: "scenes/a.glsl:3: ..." */
+    /* The first line says what is wrong. It begins with the place, if there is one: "scenes/a.glsl:3: ...".
+     */
+    char text[4096];
 } Error;
 
 #define MUST_CHECK __attribute__((warn_unused_result))
@@ -25,5 +34,5 @@ typedef struct Error {
 /* Fills `error` and returns false, so that a failing function ends with `return error_set(...)`. */
 bool error_set(Error *error, Status status, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* Puts "prefix" in front of the text, keeping the status; returns false. */
+/* Puts a prefix in front of the text, keeps the status, and returns false. */
 bool error_prefix(Error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
