@@ -1,3 +1,4 @@
+#include "base/text.h"
 #include "base/version.h"
 #include "choice/method.h"
 #include "cmd/cmd.h"
@@ -45,12 +46,48 @@ static void print_atmosphere(const Atmosphere *atmosphere) {
     }
 }
 
+/* The hint's words as the file has them, and the numbers that they are now where a word is a slider's name.
+ */
+static void print_hint(const Scene *scene, HintKind kind, int index) {
+    const HintInfo *info = hint_info(kind);
+    const Hint *hint = &scene->file->hints[kind].list[index];
+    double now[4], number;
+    bool named = false;
+    printf("  %s", info->key);
+    for (int i = 0; i < info->components; i++) {
+        printf(" %s", hint->words[i]);
+        named |= !number_parse(hint->words[i], &number);
+    }
+    if (named) {
+        scene_hint(scene, kind, index, now);
+        printf("  = ");
+        print_values(now, info->components);
+    }
+    printf("\n");
+}
+
+static void print_hints(const Scene *scene) {
+    for (int kind = 0; kind < HINT_KINDS; kind++) {
+        for (int i = 0; i < scene_hint_count(scene, (HintKind)kind); i++)
+            print_hint(scene, (HintKind)kind, i);
+    }
+    if (!scene->file->spheres[0]) return;
+    int count = scene_sphere_count(scene);
+    double number;
+    printf("  spheres %s", scene->file->spheres);
+    if (count >= 0 && !number_parse(scene->file->spheres, &number)) printf("  = %d", count);
+    printf("\n");
+}
+
 static void print_scene(const Scene *scene) {
     printf("%s: %s\n", scene->file->path, scene->file->title[0] ? scene->file->title : "untitled");
     if (scene->file->look[0]) printf("  look for: %s\n", scene->file->look);
     printf("  size %dx%d, sun elevation %g azimuth %g, exposure %g EV%s%s\n", scene->file->width,
            scene->file->height, scene->values.sun.elevation_deg, scene->values.sun.azimuth_deg,
            scene->values.exposure_ev, scene->file->sky[0] ? ", sky " : "", scene->file->sky);
+    printf("  sun-disk %s, radius %g degrees\n", scene->values.sun_disk ? "on" : "off",
+           scene->values.sun.radius_deg);
+    print_hints(scene);
     for (int i = 0; i < scene->file->parameter_count; i++) {
         const Parameter *p = &scene->file->parameters[i];
         printf("  --set %s=", p->name);
