@@ -8,7 +8,7 @@
 
 // Radiance that comes back along `ray`, with at most `max_hits` surface hits.
 vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
-    Path path = Path(ray, vec3(1.0), vec3(0.0), 0, SUN_PICTURED, 1.0, false);
+    Path path = Path(ray, vec3(1.0), vec3(0.0), 0, sun_start(), 1.0, false);
     PathMemory memory = path_start();
     bool alive = true;
     do {
@@ -37,5 +37,6 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             path_after(memory, path, alive);
         }
     } while (alive);
+    if (path.escaped) sun_count(path.sun, path.throughput, path.ray.direction);
     return path_finish(memory, path);
 }

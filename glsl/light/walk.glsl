@@ -1,6 +1,7 @@
 // A path on its way through the scene, and the functions that a light method defines about it. light/path.glsl holds the loop that
 // calls them.
 #include "light/surface.glsl"
+#include "sun/ask.glsl"
 
 struct Path {
     // The ray that looks for the next hit.
@@ -11,8 +12,8 @@ struct Path {
     vec3 gathered;
     // Number of hits so far.
     int hits;
-    // Who has counted the sun's disk already (sun/ask.glsl).
-    int sun;
+    // What the path knows about the sun's disk.
+    SunState sun;
     // Share of the light emitted at the next hit that the ray counts. Lamps that are sampled have counted the rest.
     float lamp_share;
     // Whether the last ray left the scene.

@@ -11,6 +11,9 @@ vec3 emitter_emitted(Material material, vec3 normal, vec3 incoming) {
     return material.color;
 }
 
+// Never throws light that comes from elsewhere.
+const bool EMITTER_THROWS = false;
+
 Bounce emitter_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
     return Bounce(normal, vec3(0.0), 0.0, false);
 }

@@ -10,6 +10,9 @@ Material matte(vec3 albedo) {
     return material_new(MATERIAL_MATTE, albedo);
 }
 
+// Never throws light in narrow lobes.
+const bool MATTE_THROWS = false;
+
 Bounce matte_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
     vec3 direction = matte_direction(normal, u, v);
     return Bounce(direction, material.color, matte_density(dot(direction, normal)), true);

@@ -104,3 +104,11 @@ Bounce rough_metal_sample(Material material, vec3 normal, vec3 incoming, vec2 u,
     float pdf = rough_metal_pdf(material, normal, incoming, outgoing);
     return Bounce(outgoing, rough_metal_open(alpha, cos_in, cos_out) * fresnel, max(pdf, 1.0e-20), false);
 }
+
+// A lobe of alpha 0.25, that is of roughness 0.5, reflects half of the light within some 30 degrees. Wider lobes find the sun often.
+const float ROUGH_METAL_NARROW_ALPHA = 0.25;
+
+// Whether the light that comes from it is bright in few directions: all of it, or none.
+float rough_metal_throws(Material material) {
+    return rough_metal_alpha(material) < ROUGH_METAL_NARROW_ALPHA ? 1.0 : 0.0;
+}

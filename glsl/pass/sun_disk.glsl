@@ -27,3 +27,15 @@ vec3 sun_point(vec2 u) {
 float sun_solid_angle() {
     return 2.0 * PI * sun_disk_one_less_cos;
 }
+
+// The half-angle is 20 degrees: wide enough for some of a few thousand paths to meet the cone, and so narrow that a mirror which throws
+// no sunlight into the scene seldom throws the cone's. Of a low sun's cone, the part below the horizon is left out.
+const float SUN_SPREAD_COS = 0.9397;
+const float SUN_SPREAD_SIN = 0.342;
+
+vec3 sun_spread(vec3 direction) {
+    float above = clamp(0.5 + 0.5 * sun_disk_middle.y / SUN_SPREAD_SIN, 0.1, 1.0);
+    float solid_angle = 2.0 * PI * (1.0 - SUN_SPREAD_COS) * above;
+    vec3 irradiance = sun_solid_angle() * textureLod(sun_disk_table, vec2(0.7, 0.5), 0.0).rgb;
+    return dot(direction, sun_disk_middle) > SUN_SPREAD_COS ? irradiance / solid_angle : vec3(0.0);
+}

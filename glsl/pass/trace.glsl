@@ -17,6 +17,7 @@
 #include "pass/film.glsl"
 #include <scatter>
 #include <search>
+#include <chance>
 
 uniform uint group_samples;
 uniform uint seed;
@@ -36,5 +37,6 @@ void main() {
     } while (i < group_samples);
     film_scatter(group);
     film_search();
+    film_chance();
     film_add(group, float(group_samples) - group.a);
 }

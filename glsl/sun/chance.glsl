@@ -1,5 +1,5 @@
-// --sun chance: the disk is found by the bounces alone. Right for any scene and hopelessly noisy for a disk of the sun's size: it is
-// there to judge `sampled` by, with a larger disk.
+// --sun-disk chance: the disk is found by the bounces alone. This is right for any scene and hopelessly noisy for a disk of the sun's
+// size. It is there to judge `sampled` by, with a larger disk.
 #include "sun/ask.glsl"
 #include "sun/disk.glsl"
 
@@ -7,10 +7,13 @@ vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT
     return vec3(0.0);
 }
 
-int sun_after_bounce(int state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
-    return SUN_CHANCE;
+SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
+    return SunState(SUN_CHANCE, true, 1.0, 0);
 }
 
-vec3 sun_escaped(int state, vec3 direction) {
+vec3 sun_escaped(SunState state, vec3 direction) {
     return sun_radiance(direction);
+}
+
+void sun_count(SunState state, vec3 throughput, vec3 direction) {
 }

@@ -8,3 +8,6 @@ vec3 sun_point(vec2 u);
 
 // The disk's, sr: one over the density of those directions.
 float sun_solid_angle();
+
+// Radiance along a direction if the disk's light came evenly from a wide cone about it.
+vec3 sun_spread(vec3 direction);

@@ -1,14 +1,17 @@
-// The sun lights the sky and is not there itself.
+// The sun lights the sky, and its disk is left out.
 #include "sun/ask.glsl"
 
 vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
     return vec3(0.0);
 }
 
-int sun_after_bounce(int state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
+SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
     return state;
 }
 
-vec3 sun_escaped(int state, vec3 direction) {
+vec3 sun_escaped(SunState state, vec3 direction) {
     return vec3(0.0);
+}
+
+void sun_count(SunState state, vec3 throughput, vec3 direction) {
 }

@@ -1,7 +1,10 @@
-// --sun sampled: every hit looks for the disk itself, straight and by way of the mirror spheres and the flat mirrors that the scene
-// names. What those cannot find, such as by way of a sphere and another mirror, is left to chance.
+// --sun-disk sampled: every hit sends rays to the disk, straight and by way of the mirror spheres and the flat mirrors that the scene
+// names. Sunlight that these rays cannot find, such as by way of a sphere and another mirror, is left to chance. How much that may be
+// is counted.
 #include "light/through.glsl"
+#include "math/finite.glsl"
 #include "sun/ask.glsl"
+#include "sun/count.glsl"
 #include "sun/disk.glsl"
 #include <mirrors>
 #include <planes>
@@ -22,13 +25,44 @@ vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT
     return reflected;
 }
 
-int sun_after_bounce(int state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
+// The next value of SunState.found.
+int sun_found(int found, Hit hit, Material material, vec3 incoming, Bounce bounce) {
     if (bounce.pdf > 0.0) return SUN_SOUGHT;
-    if (state <= SUN_PICTURED && mirrors_know(hit, material, incoming)) return SUN_REFLECTED;
-    int reflections = state == SUN_SOUGHT ? 0 : state >= SUN_PLANES ? state - SUN_PLANES + 1 : PLANE_CHAIN;
-    return reflections < PLANE_CHAIN && planes_know(hit, material) ? SUN_PLANES + reflections : SUN_CHANCE;
+    if (found <= SUN_PICTURED && mirrors_know(hit, material, incoming)) return SUN_REFLECTED;
+    bool plane = planes_know(hit, material);
+    if ((found == SUN_PICTURED || found == SUN_SHOWN) && plane) return SUN_SHOWN;
+    int reflections = found == SUN_SOUGHT ? 0 : found >= SUN_PLANES ? found - SUN_PLANES + 1 : PLANE_CHAIN;
+    return reflections < PLANE_CHAIN && plane ? SUN_PLANES + reflections : SUN_CHANCE;
 }
 
-vec3 sun_escaped(int state, vec3 direction) {
-    return state == SUN_CHANCE ? sun_radiance(direction) : vec3(0.0);
+// A glossy surface throws sunlight too: its ray to the sun counts much, but only if the path came to one of the few points from which
+// the sun lies in the lobe. Behind a surface that scatters widely, that is left to chance.
+SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
+    SunState next = state;
+    float throws = material_throws(material, bounce);
+    next.found = sun_found(state.found, hit, material, incoming, bounce);
+    if (bounce.pdf > 0.0) {
+        next.chance = state.scattered ? throws : 0.0;
+        next.scattered = state.scattered || throws < 1.0;
+    } else {
+        next.chance = next.found == SUN_CHANCE ? 1.0 : state.chance;
+    }
+    next.thrower = next.chance > state.chance || bounce.pdf > 0.0 ? material.kind : state.thrower;
+    return next;
+}
+
+vec3 sun_escaped(SunState state, vec3 direction) {
+    return state.found == SUN_CHANCE || state.found == SUN_SHOWN ? sun_radiance(direction) : vec3(0.0);
+}
+
+// How many paths find the sun itself tells nothing about light that few paths can find. So the sun is spread over a wide cone, with the
+// same irradiance: the light that the paths would bring from there is about the light that is left to chance, and needs no luck.
+void sun_count(SunState state, vec3 throughput, vec3 direction) {
+    if (state.chance > 0.0 && is_finite(throughput) && max(throughput.x, max(throughput.y, throughput.z)) > 0.0) {
+        float light = state.chance * chance_luminance(throughput * sun_spread(direction));
+        chance_paths += 1.0;
+        chance_light += light;
+        chance_found += chance_luminance(throughput * sun_escaped(state, direction));
+        chance_materials |= light > 0.0 ? 1 << min(state.thrower, CHANCE_MATERIALS - 1) : 0;
+    }
 }

@@ -7,6 +7,7 @@
 #include "cmd/render_job.h"
 #include "cmd/setup.h"
 #include "image/format.h"
+#include "render/chance.h"
 #include "render/describe.h"
 
 #include <inttypes.h>
@@ -103,7 +104,7 @@ static bool sample(RenderJob *job, Error *error) {
 static bool read_picture(RenderJob *job, Error *error) {
     const Film *film = &job->renderer.film;
     if (!film_read(film, &job->image, &job->count, error) || !film_read_search(film, &job->search, error) ||
-        !aov_read(&job->aov, film, &job->image, error)) {
+        !film_read_chance(film, &job->chance, error) || !aov_read(&job->aov, film, &job->image, error)) {
         return false;
     }
     float *variance = aov_variance(&job->aov, &job->image);
@@ -142,7 +143,8 @@ static bool render(RenderJob *job, Error *error) {
     figures->paths =
         job->count.accepted + job->count.rejected; /* fewer than samples x pixels if stopped early */
     figures->rejected = job->count.rejected;
-    figures->sun_by_chance = job->renderer.sun_by_chance;
+    figures->sun_by_chance = job->renderer.sun_by_chance || chance_matters(&job->chance);
+    figures->chance = job->chance;
     figures->search_rays = job->search.rays;
     figures->search_steps = job->search.steps;
     figures->search_broken = job->search.broken;
@@ -164,7 +166,12 @@ static void describe(const RenderJob *job, int argc, char **argv, AttributeList 
     attribute_add(list, "magichour.samples", "%.6g", job->figures.samples);
     attribute_add(list, "magichour.samples_range", "%" PRIu64 " to %" PRIu64, job->adaptive.least,
                   job->adaptive.most);
-    if (job->renderer.sun_by_chance) attribute_add(list, "magichour.sun_by_chance", "true");
+    if (job->figures.sun_by_chance) attribute_add(list, "magichour.sun_by_chance", "true");
+    if (job->chance.paths > 0) {
+        attribute_add(list, "magichour.chance_paths_percent", "%.3g", 100 * job->chance.paths);
+        attribute_add(list, "magichour.chance_pixels_percent", "%.3g", 100 * job->chance.pixels);
+        attribute_add(list, "magichour.chance_light_percent", "%.3g", 100 * job->chance.light);
+    }
     if (job->figures.error_percent < INFINITY) {
         attribute_add(list, "magichour.error_percent", "%.4g", job->figures.error_percent);
         attribute_add(list, "magichour.noise_percent", "%.4g", job->figures.noise_percent);

@@ -65,6 +65,11 @@ static void report_json(const ProgressFigures *figures) {
         json_count(&json, "rejected", figures->rejected);
         json_flag(&json, "interrupted", figures->interrupted);
         if (figures->sun_by_chance) json_flag(&json, "sun_by_chance", true);
+        if (figures->chance.paths > 0) {
+            json_number(&json, "chance_paths_percent", 100 * figures->chance.paths);
+            json_number(&json, "chance_pixels_percent", 100 * figures->chance.pixels);
+            json_number(&json, "chance_light_percent", 100 * figures->chance.light);
+        }
         if (figures->search_rays > 0) {
             json_number(&json, "search_rays", figures->search_rays);
             json_number(&json, "search_steps", figures->search_steps);

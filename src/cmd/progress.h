@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cmd/options.h"
+#include "gl/film.h"
 
 #include <stdint.h>
 
@@ -27,7 +28,11 @@ typedef struct ProgressFigures {
     uint64_t rejected;
     double search_rays, search_steps, search_broken, search_cut; /* all 0 where the scene does not search */
     bool done, interrupted;
-    bool sun_by_chance; /* some of its light: the error is without what no sample has met */
+    /* Whether some of the sun's light is found by chance: then the error leaves out what no sample has found.
+     */
+    bool sun_by_chance;
+    /* How much, where it was counted. */
+    FilmChance chance;
 } ProgressFigures;
 
 Progress progress_start(const Options *options);

@@ -20,6 +20,7 @@ typedef struct RenderJob {
     Image image;
     FilmCount count;
     FilmSearch search;
+    FilmChance chance;
     /* Somewhere in the layer of variances. */
     bool variance_unknown;
     ProgressFigures figures;

@@ -1,5 +1,7 @@
 #include "cmd/render_job.h"
 
+#include "render/chance.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -79,6 +81,23 @@ static void warn_search(const RenderJob *job) {
     }
 }
 
+static void warn_chance(const RenderJob *job) {
+    const FilmChance *chance = &job->chance;
+    char throwers[200];
+    if (job->renderer.sun_by_chance) {
+        fprintf(stderr,
+                "magichour: warning: --sun-disk=chance: all sunlight is found by chance: the estimated error "
+                "does not know light that no sample has found\n");
+    }
+    if (!chance_matters(chance)) return;
+    chance_throwers(chance, &job->renderer.needs, throwers, sizeof throwers);
+    fprintf(stderr,
+            "magichour: warning: %s: sunlight that is thrown by %s is found by chance: about %.2g %% of the "
+            "picture's light, in %.2g %% of its pixels (%.2g %% of the paths). The estimated error does not "
+            "know light that no sample has found\n",
+            job->scene.file->path, throwers, 100 * chance->light, 100 * chance->pixels, 100 * chance->paths);
+}
+
 void render_warn(const RenderJob *job) {
     if (job->variance_unknown) {
         fprintf(stderr,
@@ -91,13 +110,6 @@ void render_warn(const RenderJob *job) {
                 job->figures.rejected, job->figures.paths,
                 job->search.rays > 0 ? ", or took more loops than the driver allows," : "");
     }
-    if (job->renderer.sun_by_chance) {
-        fprintf(
-            stderr,
-            "magichour: warning: %s: sunlight that glass throws, or mirrors that the scene does not name, "
-            "is found by chance: "
-            "the estimated error knows nothing of what no sample has met\n",
-            job->scene.file->path);
-    }
+    warn_chance(job);
     warn_search(job);
 }

@@ -14,14 +14,18 @@
  * A film of a scene that searches (march()) has a fourth, `search`: rays that searched, their steps, those
  * that met a field that is no distance, and those that took all the steps they may.
  *
+ * A film of a picture in which some sunlight is left to chance has a fifth, `chance`: paths whose sunlight
+ * was left to chance, the luminance that they are expected to bring from the sun, the luminance that they did
+ * bring, and a bit for each material that threw some of it (glsl/sun/count.glsl).
+ *
  * A film of a scene whose light is traced from the lights to the camera too has a second sum, `splat`: that
  * light falls on any pixel, and is added there point by point (rgb; alpha counts the points). It belongs to
  * the picture as a whole: the mean of a pixel is sum / samples + scale * splat / light paths. The second sum
  * is a plain float sum, which loses less than 1e-4 of itself up to a million points a pixel.
  *
  * A pass's fragment shader includes pass/film.glsl and calls film_add() once a pixel, and before it
- * film_scatter() of pass/scatter.glsl and film_search() of pass/search.glsl, or of the files NAME_none.glsl.
- * Row 0 is the picture's top. */
+ * film_scatter() of pass/scatter.glsl, film_search() of pass/search.glsl and film_chance() of
+ * pass/chance.glsl, or of the files NAME_none.glsl. Row 0 is the picture's top. */
 #pragma once
 
 #include "gl/target.h"
@@ -29,12 +33,12 @@
 
 #include <stdint.h>
 
-enum { FILM_SCATTER = 1, FILM_SEARCH = 2, FILM_SPLAT = 4 };
+enum { FILM_SCATTER = 1, FILM_SEARCH = 2, FILM_SPLAT = 4, FILM_CHANCE = 8 };
 
 typedef struct Film {
     int width, height;
     unsigned parts;   /* beside sum and rest */
-    Target target;    /* textures: sum, rest, scatter, search */
+    Target target;    /* textures: sum, rest, scatter, search, chance */
     uint64_t samples; /* a pixel, in committed passes over all pixels */
     /* The second sum; 0 where there is none. */
     GLuint splat, splat_framebuffer;
@@ -53,8 +57,16 @@ typedef struct FilmSearch {
     double rays, steps, broken, cut;
 } FilmSearch;
 
+/* What a picture leaves to chance: shares of its paths, of its pixels and of its light, 0 to 1, and a bit for
+ * each material that throws a hundredth of that light or more. The share of the light is what the expected
+ * light is of the picture's, whether the picture has found it yet or not. */
+typedef struct FilmChance {
+    double paths, pixels, light;
+    unsigned materials;
+} FilmChance;
+
 /* `parts`: of FILM_SCATTER, for film_read_variance(); FILM_SEARCH, for film_read_search(); FILM_SPLAT, for
- * film_splat_begin(). */
+ * film_splat_begin(); FILM_CHANCE, for film_read_chance(). */
 MUST_CHECK bool film_create(Film *film, const Context *context, int width, int height, unsigned parts,
                             Error *error);
 void film_destroy(Film *film);
@@ -93,6 +105,9 @@ MUST_CHECK bool film_read_variance(const Film *film, float *rgb, Error *error);
 
 /* All zero for a film without `search`. */
 MUST_CHECK bool film_read_search(const Film *film, FilmSearch *search, Error *error);
+
+/* All zero for a film without `chance`. */
+MUST_CHECK bool film_read_chance(const Film *film, FilmChance *chance, Error *error);
 
 /* What a film with `scatter` knows of one pixel. */
 typedef struct FilmPixel {

@@ -8,6 +8,7 @@
 #include "sky/sky.h"
 #include "sky/sun.h"
 
+#include <stdio.h>
 #include <string.h>
 
 enum {
@@ -173,13 +174,16 @@ static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *err
                           .shiny = glsl_source_includes(&source, "material/glass.glsl") ||
                                    glsl_source_includes(&source, "material/rough_metal.glsl") ||
                                    glsl_source_includes(&source, "material/author.glsl"),
-                          .throws_light = glsl_source_includes(&source, "material/glass.glsl") ||
-                                          (glsl_source_includes(&source, "material/mirror.glsl") &&
-                                           !scene_hint_count(params->scene, HINT_MIRROR_SPHERE) &&
-                                           !scene_hint_count(params->scene, HINT_MIRROR_PLANE)),
+                          .throws = glsl_source_throws(&source),
                           .inputs = inputs_wanted(&source)};
+    for (int i = 0; i < source.material_count && i < 20; i++)
+        snprintf(needs->materials[i], sizeof needs->materials[i], "%s", source.materials[i]);
     glsl_source_destroy(&source);
     return ok;
+}
+
+bool plan_counts_chance(const Plan *plan) {
+    return plan->sun.method->samples_disk && plan->needs.throws;
 }
 
 /* The hints of a kind as GLSL, their words as they are: numbers, or the uniforms of sliders. */
@@ -200,7 +204,7 @@ static void write_hints(Text *text, const Scene *scene, HintKind kind) {
 bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, GlslSource *source,
                   Error *error) {
     const Scene *scene = params->scene;
-    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 11] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
+    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 12] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
     SkySlotText text;
     Text bounds = {0}, mirrors = {0}, planes = {0}, emitters = {0}, inputs = {0};
     const char *emission = !plan->needs.emits                             ? "emission/none.glsl"
@@ -223,6 +227,8 @@ bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, Glsl
     slot[8] = (GlslSlot){"emitter-spheres", NULL, text_string(&emitters)};
     inputs_declare(plan->needs.inputs, &inputs);
     slot[9] = (GlslSlot){"inputs", NULL, text_string(&inputs)};
+    slot[10] =
+        (GlslSlot){"chance", plan_counts_chance(plan) ? "pass/chance.glsl" : "pass/chance_none.glsl", NULL};
     bool ok = glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
     text_free(&bounds);
     text_free(&mirrors);

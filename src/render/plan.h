@@ -29,9 +29,11 @@ typedef struct SceneNeeds {
     long search_iterations; /* of one ray */
     bool emits;             /* whether one of its materials does */
     bool shiny;             /* whether some are neither matte nor mirrors */
-    bool throws_light; /* whether it has glass, or mirrors that are not named: what they throw is found by
-                          chance */
-    unsigned inputs;   /* render/inputs.h */
+    /* Whether a material may throw light in narrow lobes or single directions, as mirrors and glass do. */
+    bool throws;
+    /* The materials' names by their numbers; those beyond are left out. */
+    char materials[20][24];
+    unsigned inputs; /* render/inputs.h */
 } SceneNeeds;
 
 typedef struct Plan {
@@ -53,6 +55,9 @@ MUST_CHECK bool plan_choose_methods(Plan *plan, const RenderParams *params, Erro
  * draws the sun's own image too. */
 MUST_CHECK bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, GlslSource *source,
                              Error *error);
+
+/* Whether the film counts what is left to chance (FILM_CHANCE). */
+bool plan_counts_chance(const Plan *plan);
 
 /* What the light method looks up: the irradiance of the open sky; the sky by its brightness. */
 bool plan_controls(const Plan *plan);

@@ -96,7 +96,8 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
                          const Plan *plan, Error *error) {
     const Scene *scene = params->scene;
     const Camera *camera = &renderer->camera;
-    renderer->parts = (params->variance ? FILM_SCATTER : 0U) | (plan->needs.search ? FILM_SEARCH : 0U);
+    renderer->parts = (params->variance ? FILM_SCATTER : 0U) | (plan->needs.search ? FILM_SEARCH : 0U) |
+                      (plan_counts_chance(plan) ? FILM_CHANCE : 0U);
     bool image = plan->sun.method->draws_image;
     if (!create_program(renderer, context, plan, params, error) ||
         (image && !plan_flatten(plan, params, true, &renderer->image_source, error)) ||
@@ -127,7 +128,7 @@ static void follow_plan(Renderer *renderer, const Plan *plan) {
     renderer->sequence = plan->sequence;
     renderer->sun_disk = plan->sun;
     const Method *sun = plan->sun.method;
-    renderer->sun_by_chance = sun->samples_disk ? plan->needs.throws_light : sun->has_disk;
+    renderer->sun_by_chance = sun->has_disk && !sun->samples_disk;
     renderer->needs = plan->needs;
     renderer->max_hits = plan->max_hits;
     renderer->group_samples = renderer->group = plan->group_samples;

@@ -30,7 +30,9 @@ typedef struct Renderer {
     Spheres spheres;
     MethodChoice light, sequence, sun_disk;
     double sky_bias_percent; /* claimed (choice/bias.h); NAN where it is not known */
-    bool sun_by_chance;      /* whether some of the disk's light is found by chance: rare and bright */
+    /* Whether all of the disk's light is found by chance: rare and bright. Of what `sampled` leaves to chance
+     * the film knows (film_read_chance). */
+    bool sun_by_chance;
     int max_hits;
     unsigned seed;
     unsigned group_samples;   /* per pass; the last pass may take fewer */

@@ -117,6 +117,31 @@ static void generate_emitted(GlslSource *source) {
     text_free(&calls);
 }
 
+bool glsl_source_throws(const GlslSource *source) {
+    for (int i = 0; i < source->material_count; i++) {
+        char constant[80];
+        int length = snprintf(constant, sizeof constant, "%s_THROWS", source->materials[i]);
+        for (int k = 0; k < length && k < (int)sizeof constant; k++)
+            constant[k] = (char)toupper((unsigned char)constant[k]);
+        if (!glsl_source_declares(source, "bool", constant)) return true;
+    }
+    return false;
+}
+
+/* A material whose directions are not all alike tells itself how much it throws; one without a density, which
+ * has one direction alone, throws all. */
+static void generate_throws(GlslSource *source) {
+    Text *text = &source->text;
+    text_print(text, "float material_throws(Material material, Bounce bounce) {\n");
+    for (int i = 0; i < source->material_count; i++) {
+        char function[80];
+        snprintf(function, sizeof function, "%s_throws", source->materials[i]);
+        if (glsl_source_defines(source, function))
+            text_print(text, "    if (material.kind == %d) return %s(material);\n", i, function);
+    }
+    text_print(text, "    return bounce.pdf > 0.0 ? 0.0 : 1.0;\n}\n");
+}
+
 static void generate_materials(GlslSource *source) {
     int number = list_add(&source->files, &source->file_count, "<materials>");
     text_print(&source->text, "#line 1 %d\n", number);
@@ -125,6 +150,7 @@ static void generate_materials(GlslSource *source) {
     generate_dispatch(source, "float", "pdf", "vec3 outgoing", "outgoing", "0.0");
     generate_dispatch(source, "vec3", "value", "vec3 outgoing", "outgoing", "vec3(0.0)");
     generate_emitted(source);
+    generate_throws(source);
 }
 
 static bool include_slot(Flattener *flattener, const char *name, size_t length, const char *path, int line,

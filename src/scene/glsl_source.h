@@ -4,7 +4,7 @@
  *   #include <sky>                 a slot: the file that the host chose for that name
  *   #include <scene>               the same, but always the user's own file, never one of the library's
  *   #include <materials>           written here: material_sample(), _pdf() and _value(), a call for each
- * material/ file included so far, and material_emitted() where one of them emits
+ * material/ file included so far, material_throws(), and material_emitted() where one of them emits
  *
  * A file in a folder named material/ gets a number when it is included, MATERIAL_MATTE for
  * material/matte.glsl. So a new method or material is a new file, and what is not included is not compiled.
@@ -51,6 +51,10 @@ bool glsl_source_defines(const GlslSource *source, const char *function);
 
 /* Whether a material of the text emits: the file material/NAME.glsl defines NAME_emitted(). */
 bool glsl_source_emits(const GlslSource *source);
+
+/* Whether a material of the text may throw light in narrow lobes or single directions: each may that does not
+ * declare `const bool NAME_THROWS = false`. */
+bool glsl_source_throws(const GlslSource *source);
 
 /* How often the text calls a function of that name (outside comments). */
 int glsl_source_calls(const GlslSource *source, const char *function);

@@ -20,6 +20,9 @@ typedef struct SideFigures {
     uint64_t samples;
     /* The estimated error. NaN while it is not known. */
     double error_percent;
+    /* The share of the picture's light that is found by chance, which the error may not know. 0 if there is
+     * none. */
+    double chance_percent;
     double paths_per_second, seconds;
     /* The side of a preview's pixel, in pixels of the picture. 1 if the picture is at rest. */
     int coarseness;

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/text.h"
+#include "render/chance.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -78,6 +79,7 @@ static void forget_figures(Pane *pane) {
     noise_destroy(&pane->noise);
     pane->curve.count = 0;
     pane->error_percent = NAN;
+    pane->chance_percent = 0;
 }
 
 static void remember(Pane *pane, const PaneParams *params, int coarseness) {
@@ -156,6 +158,9 @@ static bool estimate(Pane *pane, Error *error) {
         noise_measure(noise, &mean);
         image_free(&mean);
         pane->mean = noise->mean;
+        FilmChance chance;
+        if (!film_read_chance(film, &chance, error)) return false;
+        pane->chance_percent = chance_matters(&chance) ? 100 * chance.light : 0;
     }
     double percent = noise_percent(noise);
     pane->error_percent = percent < INFINITY ? percent : NAN;

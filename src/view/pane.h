@@ -54,6 +54,9 @@ typedef struct Pane {
     uint64_t paths;
     /* The estimated error. NaN while it is not known. */
     double error_percent;
+    /* The share of the picture's light that is left to chance (film_read_chance). 0 if that is not worth a
+     * word. */
+    double chance_percent;
     /* The mean radiance over pixels and channels. 0 while it is not known. */
     double mean;
     ErrorCurve curve;

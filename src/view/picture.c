@@ -242,6 +242,7 @@ static void fill_side(SideFigures *figures, const Pane *pane) {
              renderer->light.text, renderer->sequence.text, has_disk ? ", disk " : "", has_disk ? disk : "");
     figures->samples = renderer->film.samples;
     figures->error_percent = pane->error_percent;
+    figures->chance_percent = pane->chance_percent;
     bool preview = pane->preview_samples && pane->preview_rate > 0;
     figures->paths_per_second = preview ? pane->preview_rate : pane->paths_per_second;
     figures->seconds = pane->seconds;

@@ -96,6 +96,7 @@ static void log_frame(const View *view, double latency_s) {
     log_number("rests", picture_rests(&view->picture, state));
     log_number("seconds", side->seconds);
     log_number("error_percent", side->error_percent);
+    log_number("chance_light_percent", side->chance_percent);
     log_number("paths_per_s", side->paths_per_second);
     if (state->split) log_right(view);
     if (view->figures.pixel.known) log_pixel(&view->figures.pixel);
