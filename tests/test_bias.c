@@ -207,6 +207,9 @@ static void test_auto(void **state) {
     assert_string_equal(choice.text, "table:gauss:12");
     assert_true(isnan(bias_sky_percent(&choice, 30, &atmosphere)));
     assert_true(isnan(bias_sky_percent(&choice, -13, &atmosphere_preset(0)->atmosphere)));
+    assert_true(method_choose(&choice, METHOD_SKY, "gauss:4", &error));
+    assert_true(!isnan(bias_sky_percent(&choice, 0, &atmosphere_preset(0)->atmosphere)));
+    assert_true(isnan(bias_sky_percent(&choice, 0, &atmosphere_preset(1)->atmosphere)));
 }
 
 /* A table without a size takes the one that its sun needs; one with a size keeps it. */

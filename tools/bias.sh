@@ -4,7 +4,8 @@
 # STEP is one of
 #   measure   measures what is named and is not in FOLDER/measured.csv yet, and adds it there. It can be stopped and goes on later.
 #   compare   prints each measured figure beside that of the header, and the ratios' least, median and most.
-#   write     writes the header anew: figures that were measured replace those of before.
+#   write     writes the header anew: figures that were measured replace those of before. Without its pictures a figure only replaces
+#             a smaller one.
 #   all       measure and write.
 #
 # AIRS are `clear` (simmons2017) and `ozone` (earth). PLACES count from 0: up to 1 km, up to 20 km, up to the top of the air, above.
@@ -20,9 +21,9 @@
 # pictures, which it cannot make. No figure is below 0.001.
 #
 # QUICK=1 measures one observer a place, the row's sun alone, 256 directions, and pictures of 32x32 pixels and 8 samples: a figure in
-# a few seconds, to see that all works. PICTURES= leaves the pictures out.
+# a few seconds, to see that all works. PICTURES= leaves the pictures out. HEIGHTS="1100 3000" names other observers, in metres.
 set -eu
-if [ $# -lt 3 ]; then sed -n '2,24s/^# \{0,1\}//p' "$0"; exit 2; fi
+if [ $# -lt 3 ]; then sed -n '2,25s/^# \{0,1\}//p' "$0"; exit 2; fi
 all_suns="90 30 15 5 2 1 0.5 0 -0.2 -1 -4 -6 -8 -10 -12"
 all_columns="gauss:4 gauss:5 gauss:6 gauss:7 gauss:8 gauss:10 gauss:12 paper:16x4 paper:64x16 rows columns"
 step=$1 magichour=$2 folder=$3 airs=${4:-clear ozone} places=${5:-0 1 2 3} suns=${6:-$all_suns} columns=${7:-$all_columns}
@@ -37,9 +38,13 @@ mkdir -p "$folder"
 
 # Observers of a place, metres: for the sky, and for pictures.
 heights() {
+    if [ "${HEIGHTS:-}" ]; then
+        echo "$HEIGHTS"
+        return
+    fi
     case $1 in
     0) echo "1 30 300 1000" ;;
-    1) echo "3000 5000 10000" ;;
+    1) echo "1100 3000 10000" ;;
     2) echo "25000 40000 50000" ;;
     3) echo "62000 150000 1000000" ;;
     esac | if [ "$quick" ]; then cut -d' ' -f1; else cat; fi
@@ -118,28 +123,49 @@ errors_of_sky() {
         }'
 }
 
-# Adds rows "measure,height,sun,percent" of a figure, those that are the largest of their measure.
+# Adds rows "measure,height,sun,percent" of a column, those that are the largest of their measure and of their row of the table.
+# keep_largest AIR PLACE COLUMN "ROW SUN SUN SUN;ROW SUN SUN SUN"
 keep_largest() {
-    awk -F, -v OFS=, -v figure="$1" '
-        !($1 in most) || $4 > most[$1] { most[$1] = $4; row[$1] = $0 }
-        END { for (measure in row) print figure, row[measure] }' | sort >>"$measured"
+    awk -F, -v OFS=, -v air="$1" -v place="$2" -v column="$3" -v near="$4" '
+        BEGIN {
+            n = split(near, rows, ";")
+            for (i = 1; i <= n; i++) {
+                m = split(rows[i], suns, " ")
+                for (k = 2; k <= m; k++) row_of[suns[k] + 0] = suns[1]
+            }
+        }
+        {
+            figure = air OFS place OFS row_of[$3 + 0] OFS column OFS $1
+            if (figure in most && $4 <= most[figure]) next
+            most[figure] = $4
+            rest[figure] = $2 OFS $3 OFS $4
+        }
+        END { for (figure in most) print figure, rest[figure] }' | sort >>"$measured"
 }
 
 is_measured() { grep -q "^$1,$2\(,\|$\)" "$measured"; }
 
+# All suns in one run of the program, since to start it takes longer than a sun does.
 measure_sky() {
-    air=$1 place=$2 sun=$3
-    rows=$folder/directions.csv
-    rm -f "$folder"/truth-*.csv
-    list_directions "$(heights "$place")" "$(near "$sun")" >"$rows"
+    air=$1 place=$2
+    rows=$folder/directions.csv last="-"
     for column in $columns; do
-        figure=$air,$place,$sun,$column
-        if is_measured "$figure" sky; then continue; fi
+        missing="" at=""
+        for sun in $suns; do
+            if is_measured "$air,$place,$sun,$column" sky; then continue; fi
+            missing="$missing$sun $(near "$sun");" at="$at $(near "$sun")"
+        done
+        if [ ! "$missing" ]; then continue; fi
+        if [ "$missing" != "$last" ]; then
+            rm -f "$folder"/truth-*.csv
+            list_directions "$(heights "$place")" "$at" >"$rows"
+            last=$missing
+        fi
         true=$(truth "$column" "$air")
         file=$folder/truth-$true.csv
         [ -f "$file" ] || "$magichour" sky --atmosphere "$(atmosphere "$air")" --at "$rows" --sky "$true" >"$file"
         "$magichour" sky --atmosphere "$(atmosphere "$air")" --at "$rows" --sky "$(method "$column")" >"$folder/got.csv"
-        errors_of_sky "$folder/got.csv" "$file" | keep_largest "$figure"
+        errors_of_sky "$folder/got.csv" "$file" | keep_largest "$air" "$place" "$column" "$missing"
     done
 }
 
@@ -159,16 +185,19 @@ measure_pictures() {
             [ -f "$file" ] || draw "$scene" "$(atmosphere "$air")" "$height" "$at" gauss:12 "$file"
             draw "$scene" "$(atmosphere "$air")" "$height" "$at" "$(method "$column")" "$folder/got.pfm"
             echo "$scene,$height,$at,$("$magichour" compare "$folder/got.pfm" "$file" | awk '$1 == "relRMSE" { print $2 }')"
-        done; done | keep_largest "$figure"
+        done; done | keep_largest "$air" "$place" "$column" "$sun $(near "$sun")"
     done
 }
 
 measure() {
-    for air in $airs; do for place in $places; do for sun in $suns; do
-        echo "$air, place $place, sun $sun" >&2
-        measure_sky "$air" "$place" "$sun"
-        for scene in $pictures; do measure_pictures "$air" "$place" "$sun" "$scene"; done
-    done; done; done
+    for air in $airs; do for place in $places; do
+        echo "$air, place $place: the sky" >&2
+        measure_sky "$air" "$place"
+        for sun in $suns; do
+            echo "$air, place $place, sun $sun: pictures" >&2
+            for scene in $pictures; do measure_pictures "$air" "$place" "$sun" "$scene"; done
+        done
+    done; done
     rm -f "$folder"/truth-* "$folder"/got.* "$folder/directions.csv"
 }
 
@@ -183,6 +212,7 @@ figures() {
                 figure = word[1] "," word[2] "," word[3] "," word[4]
                 if (word[8] + 0 > most[figure]) most[figure] = word[8] + 0
                 known[figure] = 1
+                if (word[5] == "crater" || word[5] == "materials") drawn[figure]++
             }
         }
         {
@@ -190,7 +220,9 @@ figures() {
             for (c = 1; c <= NF; c++) {
                 figure = (row < 60 ? "clear" : "ozone") "," int(row / 15) % 4 "," sun[row % 15 + 1] "," column[c]
                 after = 1.4 * most[figure]
-                print figure "," $c + 0 "," (figure in known ? sprintf("%.2g", after < 0.001 ? 0.001 : after) + 0 : "-")
+                if (after < 0.001) after = 0.001
+                whole = drawn[figure] == 2 || column[c] == "gauss:12"
+                print figure "," $c + 0 "," (figure in known ? sprintf("%.2g", after) + 0 : "-") "," (whole ? "whole" : "part")
             }
         }'
 }
@@ -213,7 +245,7 @@ write() {
             split("up to 1 km|up to 20 km|up to the top of the air|above the air", name, "|")
         }
         {
-            figure = $6 == "-" ? $5 : $6
+            figure = $6 == "-" || ($7 == "part" && $6 < $5) ? $5 : $6
             if ($4 == "gauss:4") {
                 if ($2 != place || $1 != air) {
                     if (air != "") print "        },"

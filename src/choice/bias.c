@@ -29,36 +29,45 @@ static Place place_of(const Atmosphere *a) {
     return a->observer_height_m > 20e3 ? IN_AIR : a->observer_height_m > 1e3 ? UP_TO_20_KM : UP_TO_1_KM;
 }
 
-/* Between two measured suns the logarithm is interpolated, as errors grow by orders of magnitude in twilight.
- */
-static double figure(int column, double sun, const Atmosphere *a) {
-    const double(*rows)[BIAS_COLUMNS] = bias_figures[a->ozone > 0][place_of(a)];
-    double share;
-    int row = locate(sun, &share);
-    return exp((1 - share) * log(rows[row][column]) + share * log(rows[row + 1][column]));
-}
-
-/* Whether `a` is an air that the figures speak of. Each setting that decides how the sky's radiance varies
- * with direction must be within a tenth of one preset's value. */
-static bool is_measured_air(const Atmosphere *a) {
+/* Whether each setting that decides how the sky's radiance varies with direction is within a tenth of the
+ * other's. */
+static bool is_like(const Atmosphere *a, const Atmosphere *known) {
     static const char *const others[] = {"observer_height_m", "mie_g",
                                          "sun_irradiance",    "wavelengths_nm",
                                          "refractive_index",  "molecules_per_m3"};
-    for (int i = 0; atmosphere_preset(i); i++) {
-        bool like = true;
-        for (int k = 0; like && atmosphere_field(k); k++) {
-            const AtmosphereField *field = atmosphere_field(k);
-            const double *value = atmosphere_value(a, field);
-            const double *known = atmosphere_value(&atmosphere_preset(i)->atmosphere, field);
-            bool counts = true;
-            for (size_t o = 0; o < sizeof others / sizeof *others; o++)
-                counts = counts && strcmp(field->name, others[o]) != 0;
-            for (int c = 0; counts && c < field->count; c++)
-                like = like && fabs(value[c] - known[c]) <= 0.1 * known[c];
+    for (int k = 0; atmosphere_field(k); k++) {
+        const AtmosphereField *field = atmosphere_field(k);
+        const double *value = atmosphere_value(a, field), *there = atmosphere_value(known, field);
+        bool counts = true;
+        for (size_t o = 0; o < sizeof others / sizeof *others; o++)
+            counts = counts && strcmp(field->name, others[o]) != 0;
+        for (int c = 0; counts && c < field->count; c++) {
+            if (fabs(value[c] - there[c]) > 0.1 * there[c]) return false;
         }
-        if (like) return true;
     }
-    return false;
+    return true;
+}
+
+/* Which of the measured airs this one is like; -1 if it is like none. */
+static int find_air(const Atmosphere *a) {
+    for (int air = 0; air < BIAS_AIRS; air++) {
+        for (int i = 0; atmosphere_preset(i); i++) {
+            const AtmospherePreset *preset = atmosphere_preset(i);
+            if (strcmp(preset->name, bias_airs[air]) == 0 && is_like(a, &preset->atmosphere)) return air;
+        }
+    }
+    return -1;
+}
+
+/* Between two measured suns the logarithm is interpolated, as errors grow by orders of magnitude in twilight.
+ * Of airs that were not measured nothing is claimed, but their tables need a size: they take the figures of
+ * the measured air that has ozone as they have. */
+static double figure(int column, double sun, const Atmosphere *a) {
+    int air = find_air(a);
+    const double(*rows)[BIAS_COLUMNS] = bias_figures[air >= 0 ? air : a->ozone > 0][place_of(a)];
+    double share;
+    int row = locate(sun, &share);
+    return exp((1 - share) * log(rows[row][column]) + share * log(rows[row + 1][column]));
 }
 
 static double nodes_percent(const MethodChoice *choice, double sun, const Atmosphere *a) {
@@ -89,7 +98,7 @@ void bias_table_size(const MethodChoice *choice, double sun, const Atmosphere *a
 double bias_sky_percent(const MethodChoice *choice, double sun, const Atmosphere *a) {
     int columns, rows;
     if (!choice->method->integrates) return 0;
-    if (!is_measured_air(a) || sun < bias_suns_deg[BIAS_SUNS - 1]) return NAN;
+    if (find_air(a) < 0 || sun < bias_suns_deg[BIAS_SUNS - 1]) return NAN;
     if (!choice->table) return nodes_percent(choice, sun, a);
     bias_table_size(choice, sun, a, &columns, &rows);
     return nodes_percent(choice, sun, a) + table_percent(columns, rows, sun, a);

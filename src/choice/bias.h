@@ -8,8 +8,8 @@
 #include "scene/atmosphere.h"
 
 /* relRMSE in percent of a sky method, with its table if it has one. The figure is 1.4 times the largest that
- * was measured, as other scenes differ. NAN where nothing was measured: for an air that is unlike the
- * presets', for a sun below -12 degrees, and for paper with fewer steps than 16x4. */
+ * was measured, as other scenes differ. NAN where nothing was measured: for an air that is unlike
+ * simmons2017 and earth, for a sun below -12 degrees, and for paper with fewer steps than 16x4. */
 double bias_sky_percent(const MethodChoice *choice, double sun_elevation_deg, const Atmosphere *atmosphere);
 
 /* The size of a table's half: the one that the user gave, or else one that is found. That is the smallest of
