@@ -1,6 +1,7 @@
 #include "desktop.h"
 
 #include "base/clock.h"
+#include "base/memory.h"
 #include "base/text.h"
 
 #include <fcntl.h>

@@ -2,6 +2,7 @@
  * sampling spends. */
 #include "support.h"
 
+#include "base/memory.h"
 #include "error/adaptive.h"
 #include "image/compare.h"
 

@@ -2,6 +2,7 @@
  * the picture's error. */
 #include "support.h"
 
+#include "base/memory.h"
 #include "image/codec.h"
 #include "render/aov.h"
 

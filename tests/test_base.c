@@ -1,6 +1,7 @@
 /* Numbers and text. */
 #include "support.h"
 
+#include "base/number.h"
 #include "base/text.h"
 
 #include <stdio.h>

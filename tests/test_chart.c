@@ -3,6 +3,7 @@
 #include "support.h"
 
 #include "base/file.h"
+#include "base/memory.h"
 #include "chart/ledger.h"
 #include "chart/pareto.h"
 #include "chart/plot.h"

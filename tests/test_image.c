@@ -2,6 +2,7 @@
 #include "support.h"
 
 #include "base/file.h"
+#include "base/memory.h"
 #include "image/codec.h"
 #include "image/format.h"
 

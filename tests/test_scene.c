@@ -1,6 +1,7 @@
 /* Scene files: annotations, settings, the atmosphere's numbers, and GLSL text from many files. */
 #include "support.h"
 
+#include "base/number.h"
 #include "base/text.h"
 #include "scene/glsl_source.h"
 #include "scene/scene.h"

@@ -2,6 +2,7 @@
 #include "desktop.h"
 
 #include "base/file.h"
+#include "base/memory.h"
 #include "image/exr_attribute.h"
 #include "image/format.h"
 

@@ -11,7 +11,7 @@ atlas: all
 	@tools/deps.sh --missing figures
 	tools/atlas.sh $(BUILD)/magichour out/atlas scenes/gallery
 
-# Whether --error keeps its word, over 96 pictures: a quarter of an hour.
+# Whether --error keeps its word, over 108 pictures: a quarter of an hour.
 honesty: all
 	tools/honesty.sh $(BUILD)/magichour out/honesty
 

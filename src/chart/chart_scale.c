@@ -1,3 +1,4 @@
+#include "base/memory.h"
 #include "chart/chart.h"
 #include "chart/field.h"
 #include "chart/identity.h"

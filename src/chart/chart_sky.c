@@ -1,3 +1,4 @@
+#include "base/memory.h"
 #include "chart/chart.h"
 
 #include "base/clock.h"

@@ -2,6 +2,8 @@
 
 #include "base/file.h"
 #include "base/lines.h"
+#include "base/memory.h"
+#include "base/number.h"
 
 #include <errno.h>
 #include <stdio.h>

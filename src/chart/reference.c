@@ -1,6 +1,7 @@
 #include "chart/reference.h"
 
 #include "base/clock.h"
+#include "base/number.h"
 #include "image/compare.h"
 #include "image/exr_attribute.h"
 #include "image/format.h"

@@ -1,6 +1,6 @@
 #include "chart/term.h"
 
-#include "base/text.h"
+#include "base/memory.h"
 
 #include <math.h>
 #include <stdio.h>

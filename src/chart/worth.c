@@ -1,5 +1,7 @@
 #include "chart/worth.h"
 
+#include "base/memory.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

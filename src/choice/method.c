@@ -1,5 +1,6 @@
 #include "choice/method.h"
 
+#include "base/number.h"
 #include "base/text.h"
 
 #include <stdio.h>

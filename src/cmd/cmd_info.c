@@ -1,4 +1,4 @@
-#include "base/text.h"
+#include "base/number.h"
 #include "base/version.h"
 #include "choice/method.h"
 #include "cmd/cmd.h"

@@ -1,4 +1,5 @@
 #include "base/file.h"
+#include "base/memory.h"
 #include "base/vec3.h"
 #include "base/version.h"
 #include "choice/auto.h"

@@ -1,5 +1,6 @@
 #include "cmd/option_values.h"
 
+#include "base/number.h"
 #include "base/text.h"
 
 #include <stdio.h>

@@ -1,6 +1,6 @@
 #include "cmd/options.h"
 
-#include "base/text.h"
+#include "base/memory.h"
 #include "cmd/option_table.h"
 
 #include <math.h>

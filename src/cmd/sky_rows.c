@@ -1,6 +1,8 @@
 #include "cmd/sky_rows.h"
 
 #include "base/lines.h"
+#include "base/memory.h"
+#include "base/number.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 #include "error/adaptive.h"
 
 #include "base/clock.h"
-#include "base/text.h"
+#include "base/memory.h"
 
 #include <math.h>
 #include <stdlib.h>

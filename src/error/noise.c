@@ -1,6 +1,6 @@
 #include "error/noise.h"
 
-#include "base/text.h"
+#include "base/memory.h"
 
 #include <math.h>
 #include <stdlib.h>

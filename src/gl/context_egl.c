@@ -1,6 +1,7 @@
 /* EGL without a display. It tries each EGL device, hardware before software, and then Mesa's surfaceless
  * platform. EGL devices are what works on NVIDIA. The library is opened at run time, so that a machine
  * without it can use the other backends. */
+#include "base/memory.h"
 #include "base/text.h"
 #include "gl/context.h"
 

@@ -1,7 +1,7 @@
 /* OSMesa: Mesa renders into plain memory. Mesa 25.1 dropped it. The library is therefore opened at run time,
  * and this file declares the few names that its header would have. The environment variable MAGICHOUR_OSMESA
  * names another library file. */
-#include "base/text.h"
+#include "base/memory.h"
 #include "gl/context.h"
 
 #include <dlfcn.h>

@@ -1,5 +1,6 @@
 #include "gl/film.h"
 
+#include "base/memory.h"
 #include "gl/texture.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 #include "gl/program.h"
 
+#include "base/memory.h"
 #include "base/text.h"
 
 #include <stdlib.h>

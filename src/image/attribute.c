@@ -1,6 +1,6 @@
 #include "image/attribute.h"
 
-#include "base/text.h"
+#include "base/memory.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 #include "image/compare.h"
 
-#include "base/text.h"
+#include "base/memory.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 #include "image/image.h"
 
-#include "base/text.h"
+#include "base/memory.h"
 
 #include <stdlib.h>
 #include <string.h>

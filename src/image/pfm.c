@@ -1,3 +1,4 @@
+#include "base/number.h"
 #include "image/codec.h"
 
 #include <math.h>

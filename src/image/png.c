@@ -1,3 +1,4 @@
+#include "base/memory.h"
 #include "image/codec.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 #include "render/aov.h"
 
+#include "base/memory.h"
 #include "base/text.h"
 #include "gl/strips.h"
 #include "render/inputs.h"

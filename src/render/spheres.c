@@ -1,5 +1,6 @@
 #include "render/spheres.h"
 
+#include "base/memory.h"
 #include "base/text.h"
 #include "gl/texture.h"
 #include "render/inputs.h"

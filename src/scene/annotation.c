@@ -1,6 +1,7 @@
 #include "scene/annotation.h"
 
 #include "base/file.h"
+#include "base/number.h"
 #include "scene/glsl_source.h"
 #include "scene/scene.h"
 #include "scene/value.h"

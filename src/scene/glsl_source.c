@@ -1,6 +1,7 @@
 #include "scene/glsl_source.h"
 
 #include "base/file.h"
+#include "base/memory.h"
 
 #include <ctype.h>
 #include <stdio.h>

@@ -1,5 +1,7 @@
 #include "scene/scene.h"
 
+#include "base/memory.h"
+#include "base/number.h"
 #include "base/text.h"
 #include "scene/annotation.h"
 #include "scene/value.h"

@@ -1,6 +1,8 @@
 #include "scene/sphere_file.h"
 
 #include "base/lines.h"
+#include "base/memory.h"
+#include "base/number.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,9 @@
 #include "scene/sphere_tree.h"
 
-#include "base/text.h"
+#include "base/memory.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 enum { BINS = 16, MOST_IN_LEAF = 8, ENTRY = 8 /* floats */ };

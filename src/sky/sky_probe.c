@@ -1,7 +1,7 @@
 #include "sky/sky_probe.h"
 
 #include "base/clock.h"
-#include "base/text.h"
+#include "base/memory.h"
 #include "gl/texture.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 #include "sky/sky_sampler.h"
 
-#include "base/text.h"
+#include "base/memory.h"
 #include "base/vec3.h"
 #include "gl/texture.h"
 

@@ -1,5 +1,6 @@
 #include "sky/sun.h"
 
+#include "base/memory.h"
 #include "base/vec3.h"
 #include "gl/texture.h"
 #include "sky/sun_disk.h"

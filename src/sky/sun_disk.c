@@ -1,6 +1,6 @@
 #include "sky/sun_disk.h"
 
-#include "base/text.h"
+#include "base/memory.h"
 #include "base/vec3.h"
 #include "sky/sky.h"
 #include "sky/sky_reference.h"

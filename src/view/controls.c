@@ -1,7 +1,7 @@
 #include "view/controls.h"
 
 #include "base/clock.h"
-#include "base/text.h"
+#include "base/number.h"
 #include "base/vec3.h"
 #include "view/orbit.h"
 

@@ -1,5 +1,6 @@
 #include "view/save.h"
 
+#include "base/memory.h"
 #include "base/version.h"
 #include "image/format.h"
 #include "render/describe.h"

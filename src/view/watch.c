@@ -1,6 +1,7 @@
 #include "view/watch.h"
 
 #include "base/clock.h"
+#include "base/memory.h"
 
 #include <dirent.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 #include "view/window.h"
 
 #include "base/clock.h"
-#include "base/text.h"
+#include "base/memory.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
