@@ -2,9 +2,11 @@
  * words. */
 #include "support.h"
 
+#include "base/lines.h"
 #include "view/carry.h"
 #include "view/day.h"
 #include "view/figures.h"
+#include "view/keys.h"
 #include "view/orbit.h"
 
 #include <math.h>
@@ -112,11 +114,36 @@ static void test_words(void **state) {
     assert_true(strstr(text, "pixel 3 4, right side\n") == text && strstr(text, "depth     none"));
 }
 
+/* The README has the keys as the window's own help has them, in the same order, beside the marks of code. */
+static void test_help(void **state) {
+    (void)state;
+    Error error;
+    Text text = {0}, plain = {0}, expected = {0};
+    assert_true(lines_read("src/view/README.md", STATUS_FAILURE, &text, &error));
+    for (const char *c = text_string(&text); *c; c++) {
+        if (*c != '`') text_append(&plain, c, 1);
+    }
+    text_print(&expected, "| keys | what they do |\n|---|---|\n");
+    for (int i = 0; keys_help(i); i++) {
+        text_print(&expected, "| %s | ", keys_help(i)->keys);
+        for (const char *c = keys_help(i)->what; *c; c++) {
+            if (*c != '`') text_append(&expected, c, 1);
+        }
+        text_print(&expected, " |\n");
+    }
+    text_print(&expected, "\n");
+    if (!strstr(text_string(&plain), text_string(&expected)))
+        fail_msg("src/view/README.md has not these keys:\n%s", text_string(&expected));
+    text_free(&text);
+    text_free(&plain);
+    text_free(&expected);
+}
+
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_orbit), cmocka_unit_test(test_day_of_the_sun), cmocka_unit_test(test_carry),
-        cmocka_unit_test(test_curve), cmocka_unit_test(test_words),
+        cmocka_unit_test(test_help),  cmocka_unit_test(test_curve),          cmocka_unit_test(test_words),
     };
     return cmocka_run_group_tests_name("view", tests, support_folder, support_clean);
 }

@@ -1,5 +1,4 @@
-/* Keys and mouse. Each event changes the view's state. A table in controls.c says what the keys do; the help
- * is made from it. */
+/* Keys and mouse. Each event changes the view's state. */
 #pragma once
 
 #include "view/state.h"
@@ -19,14 +18,6 @@ typedef struct Controls {
     bool s_drags;
     double s_since, eye_before_s[3], target_before_s[3];
 } Controls;
-
-/* A line of the help, such as "right drag" and "move the sun". */
-typedef struct ControlsHelp {
-    const char *keys, *what;
-} ControlsHelp;
-
-/* Returns a line of the help, or NULL past the end. */
-const ControlsHelp *controls_help(int index);
 
 /* Handles an event. `width` and `height` are those of the picture. */
 void controls_event(Controls *controls, ViewState *state, const WindowEvent *event, int width, int height);

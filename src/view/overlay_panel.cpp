@@ -2,7 +2,7 @@
 
 extern "C" {
 #include "choice/method.h"
-#include "view/controls.h"
+#include "view/keys.h"
 }
 
 #include <cmath>
@@ -174,10 +174,10 @@ static void split_section(ViewState *state, const ViewFigures *figures) {
 static void help_section() {
     if (!ImGui::CollapsingHeader("keys")) return;
     ImGui::PushTextWrapPos(em(panel_width) + ImGui::GetStyle().WindowPadding.x);
-    for (int i = 0; controls_help(i); i++) {
-        ImGui::TextColored(amber, "%s", controls_help(i)->keys);
+    for (int i = 0; keys_help(i); i++) {
+        ImGui::TextColored(amber, "%s", keys_help(i)->keys);
         ImGui::Indent();
-        ImGui::TextWrapped("%s", controls_help(i)->what);
+        ImGui::TextWrapped("%s", keys_help(i)->what);
         ImGui::Unindent();
     }
     ImGui::PopTextWrapPos();

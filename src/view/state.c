@@ -48,6 +48,16 @@ void view_set_sun(ViewState *state, int side, double elevation_deg, double azimu
     state->playing = false;
 }
 
+void view_turn_sun(ViewState *state, int side, double elevation_deg, double azimuth_deg) {
+    Scene scene = view_scene(state, side);
+    view_set_sun(state, side, scene.values.sun.elevation_deg + elevation_deg,
+                 scene.values.sun.azimuth_deg + azimuth_deg);
+}
+
+int view_side_at(const ViewState *state, double x, int width) {
+    return state->split && x > state->divider * width ? 1 : 0;
+}
+
 void view_own_sun(ViewState *state, bool own) {
     state->own_sun = own;
     state->own_elevation_deg = state->scene.values.sun.elevation_deg;

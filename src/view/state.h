@@ -87,6 +87,12 @@ Scene view_scene(const ViewState *state, int side);
  * first. The elevation is kept within [-90, 90], and the azimuth is wrapped into [0, 360). */
 void view_set_sun(ViewState *state, int side, double elevation_deg, double azimuth_deg);
 
+/* Turns a side's sun from where it is. */
+void view_turn_sun(ViewState *state, int side, double elevation_deg, double azimuth_deg);
+
+/* Returns the side that is shown at column x of a picture of this width. */
+int view_side_at(const ViewState *state, double x, int width);
+
 /* Gives the second side a sun of its own, or takes it away. At first it stands where the other sun is. */
 void view_own_sun(ViewState *state, bool own);
 

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "view/controls.h"
+#include "view/frame_log.h"
 #include "view/log.h"
 #include "view/overlay.h"
 #include "view/picture.h"
@@ -49,58 +50,6 @@ static bool show(View *view, Error *error) {
     if (!gl_check(&view->window.context.gl, "drawing the overlay", error)) return false;
     window_present(&view->window);
     return true;
-}
-
-static void log_right(const View *view) {
-    Scene right = view_scene(&view->state, 1);
-    const SideFigures *side = &view->figures.sides[1];
-    log_number("difference", view->state.difference ? view->state.difference_percent : 0);
-    log_number("right_elevation", right.values.sun.elevation_deg);
-    log_number("right_azimuth", right.values.sun.azimuth_deg);
-    log_number("right_samples", (double)side->samples);
-    log_number("right_seconds", side->seconds);
-    log_number("right_error_percent", side->error_percent);
-}
-
-static void log_pixel(const PixelFigures *pixel) {
-    log_number("pixel_x", pixel->x);
-    log_number("pixel_y", pixel->y);
-    log_number("pixel_red", pixel->radiance[0]);
-    log_number("pixel_green", pixel->radiance[1]);
-    log_number("pixel_blue", pixel->radiance[2]);
-    log_number("pixel_samples", pixel->samples);
-    log_number("pixel_error_percent", pixel->error_percent);
-    log_number("pixel_albedo", pixel->albedo[1]);
-    log_number("pixel_depth", pixel->depth);
-}
-
-static void log_frame(const View *view, double latency_s) {
-    const ViewState *state = &view->state;
-    const SideFigures *side = &view->figures.sides[0];
-    log_begin("frame");
-    log_number("frame", view->frames);
-    log_number("frame_ms", 1e3 * view->figures.frame_s);
-    log_number("latency_ms", 1e3 * latency_s);
-    log_number("width", view->window.width);
-    log_number("height", view->window.height);
-    log_number("elevation", state->scene.values.sun.elevation_deg);
-    log_number("azimuth", state->scene.values.sun.azimuth_deg);
-    log_number("exposure", state->scene.values.exposure_ev);
-    log_number("eye_x", state->scene.values.camera.eye[0]);
-    log_number("eye_y", state->scene.values.camera.eye[1]);
-    log_number("eye_z", state->scene.values.camera.eye[2]);
-    log_number("sides", state->split ? 2 : 1);
-    log_number("picture", view->picture.pictures);
-    log_number("coarseness", side->coarseness);
-    log_number("samples", (double)side->samples);
-    log_number("rests", picture_rests(&view->picture, state));
-    log_number("seconds", side->seconds);
-    log_number("error_percent", side->error_percent);
-    log_number("chance_light_percent", side->chance_percent);
-    log_number("paths_per_s", side->paths_per_second);
-    if (state->split) log_right(view);
-    if (view->figures.pixel.known) log_pixel(&view->figures.pixel);
-    log_end();
 }
 
 static void set_title(View *view) {
@@ -215,7 +164,13 @@ static bool present(View *view, Error *error) {
     if (!show(view, error)) return false;
     double now = clock_seconds();
     view->figures.frame_s = now - view->shown;
-    log_frame(view, view->heard > 0 ? now - view->heard : 0);
+    const FrameLog frame = {.number = view->frames,
+                            .pictures = view->picture.pictures,
+                            .width = view->window.width,
+                            .height = view->window.height,
+                            .latency_s = view->heard > 0 ? now - view->heard : 0,
+                            .rests = picture_rests(&view->picture, &view->state)};
+    frame_log(&frame, &view->state, &view->figures);
     view->shown = now;
     view->heard = 0;
     view->frames++;
