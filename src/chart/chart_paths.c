@@ -1,17 +1,12 @@
+#include "chart/chart_paths.h"
 #include "base/memory.h"
 #include "chart/chart.h"
-#include "chart/curve.h"
 #include "chart/identity.h"
-#include "chart/plot.h"
 #include "choice/method.h"
 
 #include <inttypes.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-enum { MOST_CURVES = 24, PANEL_LIGHTS = 1, PANEL_SKIES = 2 };
 
 /* Shares of the time. */
 static const double reference_share = 0.3, timing_share = 0.3;
@@ -19,27 +14,6 @@ static const double reference_share = 0.3, timing_share = 0.3;
 /* A curve ends below this many times the reference's own noise. There, the noise makes up 8 % of the error,
  * and is subtracted. */
 static const double least_over_reference = 2.5;
-
-/* A curve as it is drawn. */
-typedef struct Drawn {
-    Combination combination;
-    /* The panels that show the curve. */
-    int panels;
-    int color;
-    PlotMarker marker;
-    PlotLine line;
-    Curve curve;
-    ParetoPoint points[CURVE_MOST_POINTS];
-    int count;
-} Drawn;
-
-typedef struct Paths {
-    const ChartParams *params;
-    Drawn curves[MOST_CURVES];
-    int count;
-    Reference reference;
-    Ledger ledger;
-} Paths;
 
 static void add(Paths *paths, const Drawn *curve) {
     if (paths->count < MOST_CURVES) paths->curves[paths->count++] = *curve;
@@ -190,18 +164,12 @@ static bool time_curves(Paths *paths, const CurveLimits *limits, Error *error) {
     return true;
 }
 
-/* Returns the reference's noise, measured in the same way as the errors of the curves. */
-static double noise_of(const Paths *paths) {
-    const Reference *reference = &paths->reference;
-    return paths->curves[0].curve.trimmed ? reference->trimmed_percent : reference->error_percent;
-}
-
 static bool measure(Paths *paths, Error *error) {
     const ChartParams *params = paths->params;
     double before = reference_share + timing_share, each = (1 - before) / paths->count;
     if (!open_curves(paths, error)) return false;
     /* All points of a curve together take twice the time of the last one. */
-    CurveLimits limits = {each * params->seconds / 2, least_over_reference * noise_of(paths)};
+    CurveLimits limits = {each * params->seconds / 2, least_over_reference * paths_noise(paths)};
     if (!time_curves(paths, &limits, error)) return false;
     for (int i = 0; i < paths->count && !monitor_stopped(&params->monitor); i++) {
         Curve *curve = &paths->curves[i].curve;
@@ -219,116 +187,6 @@ static bool measure(Paths *paths, Error *error) {
     return true;
 }
 
-static ParetoCurve points_of(const Drawn *drawn) {
-    return (ParetoCurve){drawn->points, drawn->count};
-}
-
-static void draw_front(const Paths *paths, PlotPanel *panel) {
-    ParetoCurve curves[MOST_CURVES];
-    ParetoPoint front[PLOT_POINTS];
-    for (int i = 0; i < paths->count; i++) curves[i] = points_of(&paths->curves[i]);
-    panel->front_count = pareto_front(curves, paths->count, front, PLOT_POINTS);
-    for (int i = 0; i < panel->front_count; i++)
-        panel->front[i] = (PlotPoint){.x = front[i].seconds, .y = front[i].percent};
-}
-
-static void draw_curve(PlotPanel *panel, const Drawn *curve, const char *label) {
-    PlotSeries *series = plot_add_series(panel, curve->color, curve->marker, curve->line, "%s", label);
-    for (int i = 0; i < curve->count; i++)
-        plot_add_point(series, curve->points[i].seconds, curve->points[i].percent);
-}
-
-static void draw_panel(const Paths *paths, Plot *plot, int which, const char *title) {
-    PlotPanel *panel = &plot->panels[plot->panel_count];
-    snprintf(panel->title, sizeof panel->title, "%s", title);
-    snprintf(panel->x_label, sizeof panel->x_label, "seconds of rendering");
-    snprintf(panel->y_label, sizeof panel->y_label, "relRMSE, %%");
-    for (int i = 0; i < paths->count; i++) {
-        const Drawn *curve = &paths->curves[i];
-        char label[112];
-        if (!(curve->panels & which)) continue;
-        if (which == PANEL_LIGHTS) {
-            bool plain = strcmp(curve->curve.row.words[2], method_family(METHOD_SEQUENCE)->fallback) == 0;
-            snprintf(label, sizeof label, "%s, %s", curve->curve.row.words[1],
-                     curve->curve.row.words[plain ? 3 : 2]);
-        } else {
-            snprintf(label, sizeof label, "%s", curve->curve.row.words[0]);
-        }
-        draw_curve(panel, curve, label);
-    }
-    draw_front(paths, panel);
-    plot->panel_count += panel->series_count > 0;
-}
-
-/* Returns the time at which the first of the curves reaches the error, and sets `first` to that curve. */
-static double first_at(const Paths *paths, double percent, const Drawn **first) {
-    double least = INFINITY;
-    for (int i = 0; i < paths->count; i++) {
-        ParetoCurve curve = points_of(&paths->curves[i]);
-        double seconds = pareto_seconds(&curve, percent);
-        if (seconds < least) least = seconds, *first = &paths->curves[i];
-    }
-    return least;
-}
-
-static void print_methods(const Drawn *drawn, Text *out) {
-    for (int i = 0; i < CURVE_WORDS; i++) text_print(out, "%s%s", i ? " " : "", drawn->curve.row.words[i]);
-}
-
-static void say_auto(const Paths *paths, const Drawn *automatic, const Drawn *first, double percent,
-                     double seconds, double least) {
-    Text *said = paths->params->said;
-    text_print(said, "auto, ");
-    print_methods(automatic, said);
-    text_print(said, ": %.3g %%%s in %.3g s, %.2f times the quickest, ", percent,
-               percent > paths->params->error_percent ? ", the least measured," : "", seconds,
-               seconds / least);
-    print_methods(first, said);
-    text_print(said, "\n");
-}
-
-/* Draws a ring where auto's curve reaches the target error, or at the curve's end. Says how far this point is
- * from the front. */
-static void mark_auto(const Paths *paths, Plot *plot) {
-    const Drawn *automatic = &paths->curves[0], *first = automatic;
-    double percent = paths->params->error_percent;
-    if (!automatic->count) return;
-    ParetoCurve curve = points_of(automatic);
-    if (!(pareto_seconds(&curve, percent) < INFINITY)) percent = curve.points[curve.count - 1].percent;
-    double seconds = pareto_seconds(&curve, percent);
-    double least = first_at(paths, percent, &first);
-    say_auto(paths, automatic, first, percent, seconds, least);
-    for (int i = 0; i < plot->panel_count; i++) {
-        PlotPanel *panel = &plot->panels[i];
-        panel->ring = (PlotPoint){.x = seconds, .y = percent};
-        snprintf(panel->ring_label, sizeof panel->ring_label, "auto: %.2g %% in %.2g s", percent, seconds);
-    }
-}
-
-static bool draw(const Paths *paths, Error *error) {
-    const ChartParams *params = paths->params;
-    Plot *plot = memory_get(1, sizeof *plot);
-    Text words = {0};
-    chart_describe(params, &words);
-    snprintf(plot->title, sizeof plot->title, "Speed against accuracy: %s", text_string(&words));
-    snprintf(plot->subtitle, sizeof plot->subtitle,
-             "%s against a converged picture (its own noise %.2g %%); %s",
-             paths->curves[0].curve.trimmed ? "relRMSE without the 0.1 % worst pixels" : "relRMSE",
-             noise_of(paths), params->context->renderer);
-    plot->same_axes = true;
-    char lights[96];
-    snprintf(lights, sizeof lights, "Light, sampling, sequence; %s", paths->curves[0].curve.row.words[0]);
-    draw_panel(paths, plot, PANEL_LIGHTS, lights);
-    draw_panel(paths, plot, PANEL_SKIES, "Skies, by cosine, evenly");
-    mark_auto(paths, plot);
-    char *path = chart_path(params, "paths");
-    bool ok = plot_write(plot, path, error);
-    free(path);
-    text_free(&words);
-    free(plot);
-    return ok;
-}
-
 bool chart_paths(const ChartParams *params, Error *error) {
     Paths *paths = memory_get(1, sizeof *paths);
     paths->params = params;
@@ -339,7 +197,7 @@ bool chart_paths(const ChartParams *params, Error *error) {
                    paths->reference.error_percent, paths->reference.kept ? ", kept from before" : "");
         ok = measure(paths, error);
     }
-    if (ok && !monitor_stopped(&params->monitor)) ok = draw(paths, error);
+    if (ok && !monitor_stopped(&params->monitor)) ok = paths_draw(paths, error);
     for (int i = 0; i < paths->count; i++) curve_close(&paths->curves[i].curve);
     reference_free(&paths->reference);
     ledger_close(&paths->ledger);

@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "chart/plot_panel.h"
+#include "chart/plot_text.h"
 
 #include <cairo-svg.h>
 #include <stdarg.h>

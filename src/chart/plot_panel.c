@@ -1,6 +1,8 @@
 #include "chart/plot_panel.h"
 
-#include "chart/plot_axis.h"
+#include "base/vec3.h"
+#include "chart/plot_frame.h"
+#include "chart/plot_text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -19,58 +21,9 @@ static const double colors[PLOT_COLORS][3] = {{0.00, 0.45, 0.70}, {0.84, 0.37, 0
 enum {
     /* The rings of places that are tried for a label. */
     LABEL_RINGS = 6,
-    /* What a ring further out costs, in the unit of crowd(). */
+    /* What a ring further out costs, in the unit of plot_frame_crowd(). */
     FAR_COSTS = 6
 };
-
-typedef struct Box {
-    double x, y, width, height;
-} Box;
-
-typedef struct Frame {
-    const PlotPanel *panel;
-    cairo_t *cairo;
-    Box box;
-    PlotAxis across, up;
-    /* The boxes of labels that are drawn already. */
-    Box taken[PLOT_POINTS];
-    int taken_count;
-} Frame;
-
-static void use_font(cairo_t *cairo, const PlotText *style) {
-    cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                           style->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo, style->size);
-}
-
-double plot_text_width(cairo_t *cairo, const char *text, const PlotText *style) {
-    cairo_text_extents_t extents;
-    use_font(cairo, style);
-    cairo_text_extents(cairo, text, &extents);
-    return extents.x_advance;
-}
-
-void plot_text(cairo_t *cairo, const char *text, double x, double y, const PlotText *style) {
-    double grey = style->grey ? 0.35 : 0.1, width = plot_text_width(cairo, text, style);
-    double start = x - style->align * width;
-    if (style->backed) {
-        cairo_rectangle(cairo, start - 1, y - 0.8 * style->size, width + 2, style->size);
-        cairo_set_source_rgba(cairo, 1, 1, 1, 0.75);
-        cairo_fill(cairo);
-    }
-    cairo_set_source_rgb(cairo, grey, grey, grey);
-    cairo_move_to(cairo, start, y);
-    cairo_show_text(cairo, text);
-    cairo_new_path(cairo);
-}
-
-static double at_x(const Frame *frame, double x) {
-    return frame->box.x + frame->box.width * plot_axis_at(&frame->across, x);
-}
-
-static double at_y(const Frame *frame, double y) {
-    return frame->box.y + frame->box.height * (1 - plot_axis_at(&frame->up, y));
-}
 
 void plot_panel_include(const PlotPanel *panel, PlotAxis *across, PlotAxis *up) {
     for (int s = 0; s < panel->series_count; s++) {
@@ -85,10 +38,10 @@ void plot_panel_include(const PlotPanel *panel, PlotAxis *across, PlotAxis *up) 
     plot_axis_include(up, panel->ring.y);
 }
 
-static void draw_grid_line(const Frame *frame, bool vertical, double value, bool strong) {
-    const Box *box = &frame->box;
+static void draw_grid_line(const PlotFrame *frame, bool vertical, double value, bool strong) {
+    const PlotBox *box = &frame->box;
     /* A line through the middle of pixels is sharp. */
-    double x = floor(at_x(frame, value)) + 0.5, y = floor(at_y(frame, value)) + 0.5;
+    double x = floor(plot_frame_x(frame, value)) + 0.5, y = floor(plot_frame_y(frame, value)) + 0.5;
     cairo_move_to(frame->cairo, vertical ? x : box->x, vertical ? box->y : y);
     cairo_line_to(frame->cairo, vertical ? x : box->x + box->width, vertical ? box->y + box->height : y);
     double grey = strong ? 0.80 : 0.92;
@@ -97,27 +50,27 @@ static void draw_grid_line(const Frame *frame, bool vertical, double value, bool
     cairo_stroke(frame->cairo);
 }
 
-static void draw_axis(const Frame *frame, bool vertical) {
+static void draw_axis(const PlotFrame *frame, bool vertical) {
     const PlotAxis *axis = vertical ? &frame->across : &frame->up;
-    const Box *box = &frame->box;
+    const PlotBox *box = &frame->box;
     PlotTick ticks[PLOT_TICKS];
     int count = plot_axis_ticks(axis, ticks);
     for (int i = 0; i < count; i++) draw_grid_line(frame, vertical, ticks[i].value, ticks[i].strong);
     for (int i = 0; i < count; i++) {
         if (!ticks[i].label[0]) continue;
         if (vertical) {
-            plot_text(frame->cairo, ticks[i].label, at_x(frame, ticks[i].value), box->y + box->height + 14,
-                      &(PlotText){.size = 10, .grey = true, .align = 0.5});
+            plot_text(frame->cairo, ticks[i].label, plot_frame_x(frame, ticks[i].value),
+                      box->y + box->height + 14, &(PlotText){.size = 10, .grey = true, .align = 0.5});
         } else {
-            plot_text(frame->cairo, ticks[i].label, box->x - 6, at_y(frame, ticks[i].value) + 3.5,
+            plot_text(frame->cairo, ticks[i].label, box->x - 6, plot_frame_y(frame, ticks[i].value) + 3.5,
                       &(PlotText){.size = 10, .grey = true, .align = 1});
         }
     }
 }
 
-static void draw_axes(const Frame *frame) {
+static void draw_axes(const PlotFrame *frame) {
     cairo_t *cairo = frame->cairo;
-    const Box *box = &frame->box;
+    const PlotBox *box = &frame->box;
     draw_axis(frame, true);
     draw_axis(frame, false);
     cairo_rectangle(cairo, floor(box->x) + 0.5, floor(box->y) + 0.5, floor(box->width), floor(box->height));
@@ -129,7 +82,7 @@ static void draw_axes(const Frame *frame) {
               &(PlotText){.size = 11, .align = 0.5});
     cairo_save(cairo);
     cairo_translate(cairo, box->x - 40, box->y + box->height / 2);
-    cairo_rotate(cairo, -1.57079632679489662);
+    cairo_rotate(cairo, -pi / 2);
     plot_text(cairo, frame->panel->y_label, 0, 0, &(PlotText){.size = 11, .align = 0.5});
     cairo_restore(cairo);
 }
@@ -140,7 +93,7 @@ static void draw_marker(cairo_t *cairo, PlotMarker marker, double x, double y) {
                                         [PLOT_DIAMOND] = {0, -4.4, 4.4, 0, 0, 4.4, -4.4, 0}};
     cairo_new_path(cairo);
     if (marker == PLOT_DOT) {
-        cairo_arc(cairo, x, y, 3.2, 0, 6.283185307);
+        cairo_arc(cairo, x, y, 3.2, 0, 2 * pi);
     } else {
         for (int i = 0; i < 8; i += 2)
             cairo_line_to(cairo, x + corners[marker][i], y + corners[marker][i + 1]);
@@ -157,14 +110,14 @@ static void use_line(cairo_t *cairo, PlotLine line) {
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
 }
 
-static void draw_polyline(const Frame *frame, const PlotPoint *points, int count) {
+static void draw_polyline(const PlotFrame *frame, const PlotPoint *points, int count) {
     for (int i = 0; i < count; i++)
-        cairo_line_to(frame->cairo, at_x(frame, points[i].x), at_y(frame, points[i].y));
+        cairo_line_to(frame->cairo, plot_frame_x(frame, points[i].x), plot_frame_y(frame, points[i].y));
     cairo_stroke(frame->cairo);
     cairo_set_dash(frame->cairo, NULL, 0, 0);
 }
 
-static void draw_series(const Frame *frame, const PlotSeries *series) {
+static void draw_series(const PlotFrame *frame, const PlotSeries *series) {
     const double *color = colors[series->color];
     cairo_set_source_rgb(frame->cairo, color[0], color[1], color[2]);
     use_line(frame->cairo, series->line);
@@ -173,13 +126,13 @@ static void draw_series(const Frame *frame, const PlotSeries *series) {
     cairo_set_line_width(frame->cairo, 1);
     for (int i = 0; i < series->count; i++) {
         const PlotPoint *point = &series->points[i];
-        double x = at_x(frame, point->x), y = at_y(frame, point->y);
+        double x = plot_frame_x(frame, point->x), y = plot_frame_y(frame, point->y);
         draw_marker(frame->cairo, series->marker, x, y);
         if (point->high <= 0) continue;
         cairo_move_to(frame->cairo, x, y);
-        cairo_line_to(frame->cairo, x, at_y(frame, point->high));
-        cairo_move_to(frame->cairo, x - 3, at_y(frame, point->high));
-        cairo_line_to(frame->cairo, x + 3, at_y(frame, point->high));
+        cairo_line_to(frame->cairo, x, plot_frame_y(frame, point->high));
+        cairo_move_to(frame->cairo, x - 3, plot_frame_y(frame, point->high));
+        cairo_line_to(frame->cairo, x + 3, plot_frame_y(frame, point->high));
         cairo_stroke(frame->cairo);
     }
 }
@@ -191,85 +144,48 @@ static void use_halo(cairo_t *cairo) {
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
 }
 
-/* Returns how much of a polyline is in the box, or of its points alone. */
-static int crowd_of_points(const Frame *frame, const PlotPoint *points, int count, bool line, Box box) {
-    int hidden = 0;
-    for (int i = 0; i < 8 * count; i++) {
-        const PlotPoint *a = &points[i / 8], *b = i / 8 + 1 < count && line ? a + 1 : a;
-        double share = i % 8 / 8.0;
-        if (i % 8 && a == b) continue;
-        double x = at_x(frame, a->x) * (1 - share) + at_x(frame, b->x) * share - box.x,
-               y = at_y(frame, a->y) * (1 - share) + at_y(frame, b->y) * share - box.y;
-        if (x > -5 && x < box.width + 5 && y > -5 && y < box.height + 5) hidden += i % 8 ? 1 : 4;
-    }
-    return hidden;
-}
-
-/* Returns how much of the drawing a label in this box would hide. */
-static int crowd(const Frame *frame, Box box) {
-    const PlotPanel *panel = frame->panel;
-    int hidden = crowd_of_points(frame, panel->front, panel->front_count, true, box);
-    for (int s = 0; s < panel->series_count; s++) {
-        const PlotSeries *series = &panel->series[s];
-        hidden += crowd_of_points(frame, series->points, series->count, series->line != PLOT_NO_LINE, box);
-    }
-    for (int i = 0; i < frame->taken_count; i++) {
-        const Box *other = &frame->taken[i];
-        if (box.x < other->x + other->width && other->x < box.x + box.width &&
-            box.y < other->y + other->height && other->y < box.y + box.height)
-            hidden += 400;
-    }
-    const Box *all = &frame->box;
-    if (box.x < all->x || box.y < all->y || box.x + box.width > all->x + all->width ||
-        box.y + box.height > all->y + all->height)
-        hidden += 1000;
-    return hidden;
-}
-
-static void take(Frame *frame, Box box) {
-    if (frame->taken_count < PLOT_POINTS) frame->taken[frame->taken_count++] = box;
-}
-
 /* Draws a label where it hides least, around a point. It is at least `gap` away from the point, and as near
  * as it can be. */
-static Box draw_label(Frame *frame, const char *text, double x, double y, double gap, const PlotText *style) {
+static PlotBox draw_label(PlotFrame *frame, const char *text, double x, double y, double gap,
+                          const PlotText *style) {
     double width = plot_text_width(frame->cairo, text, style), height = 11;
-    Box best = {0};
+    PlotBox best = {0};
     int least = 1 << 30;
     for (int i = 0; i < 8 * LABEL_RINGS; i++) {
         static const int across[] = {1, -1, 1, -1, 1, -1, 0, 0}, down[] = {-1, 1, 1, -1, 0, 0, 1, -1};
         double away = gap + 12 * (i / 8);
-        Box place = {x + across[i % 8] * (away + width / 2) - width / 2,
-                     y + down[i % 8] * (away + height / 2) - height / 2, width, height};
-        int hidden = crowd(frame, place) + FAR_COSTS * (i / 8);
+        PlotBox place = {x + across[i % 8] * (away + width / 2) - width / 2,
+                         y + down[i % 8] * (away + height / 2) - height / 2, width, height};
+        int hidden = plot_frame_crowd(frame, place) + FAR_COSTS * (i / 8);
         if (hidden < least) least = hidden, best = place;
     }
-    take(frame, best);
+    plot_frame_take(frame, best);
     plot_text(frame->cairo, text, best.x, best.y + height - 2, style);
     return best;
 }
 
-static void draw_labels(Frame *frame) {
+static void draw_labels(PlotFrame *frame) {
     for (int s = 0; s < frame->panel->series_count; s++) {
         for (int i = 0; i < frame->panel->series[s].count; i++) {
             const PlotPoint *point = &frame->panel->series[s].points[i];
             if (!point->label[0]) continue;
-            draw_label(frame, point->label, at_x(frame, point->x), at_y(frame, point->y), 4, &beside);
+            draw_label(frame, point->label, plot_frame_x(frame, point->x), plot_frame_y(frame, point->y), 4,
+                       &beside);
         }
     }
 }
 
-static void draw_ring(Frame *frame) {
+static void draw_ring(PlotFrame *frame) {
     const PlotPoint *ring = &frame->panel->ring;
     if (!(ring->x > 0)) return;
-    double x = at_x(frame, ring->x), y = at_y(frame, ring->y);
+    double x = plot_frame_x(frame, ring->x), y = plot_frame_y(frame, ring->y);
     cairo_new_path(frame->cairo);
-    cairo_arc(frame->cairo, x, y, ring_radius, 0, 6.283185307);
+    cairo_arc(frame->cairo, x, y, ring_radius, 0, 2 * pi);
     cairo_set_source_rgb(frame->cairo, 0, 0, 0);
     cairo_set_line_width(frame->cairo, 2);
     cairo_stroke(frame->cairo);
-    take(frame, (Box){x - ring_radius, y - ring_radius, 2 * ring_radius, 2 * ring_radius});
-    Box label = draw_label(frame, frame->panel->ring_label, x, y, ring_radius + 1, &bold);
+    plot_frame_take(frame, (PlotBox){x - ring_radius, y - ring_radius, 2 * ring_radius, 2 * ring_radius});
+    PlotBox label = draw_label(frame, frame->panel->ring_label, x, y, ring_radius + 1, &bold);
     /* If the label is not beside its ring, a line joins the two. */
     double to_x = fmin(fmax(x, label.x), label.x + label.width) - x;
     double to_y = fmin(fmax(y, label.y), label.y + label.height) - y, away = hypot(to_x, to_y);
@@ -281,9 +197,9 @@ static void draw_ring(Frame *frame) {
     cairo_stroke(frame->cairo);
 }
 
-static Box legend_size(const Frame *frame) {
+static PlotBox legend_size(const PlotFrame *frame) {
     const PlotPanel *panel = frame->panel;
-    Box box = {0};
+    PlotBox box = {0};
     for (int i = 0; i < panel->series_count; i++) {
         box.width =
             fmax(box.width, swatch + 6 + plot_text_width(frame->cairo, panel->series[i].label, &small));
@@ -299,21 +215,21 @@ static Box legend_size(const Frame *frame) {
     return box;
 }
 
-static Box legend_place(const Frame *frame) {
-    Box size = legend_size(frame), best = {0};
+static PlotBox legend_place(const PlotFrame *frame) {
+    PlotBox size = legend_size(frame), best = {0};
     int least = 1 << 30;
     for (int i = 0; i < 4; i++) {
         static const int right[] = {0, 1, 1, 0}, low[] = {1, 0, 1, 0};
-        Box place = size;
+        PlotBox place = size;
         place.x = frame->box.x + 6 + right[i] * (frame->box.width - size.width - 12);
         place.y = frame->box.y + 6 + low[i] * (frame->box.height - size.height - 12);
-        int hidden = crowd(frame, place);
+        int hidden = plot_frame_crowd(frame, place);
         if (hidden < least) least = hidden, best = place;
     }
     return best;
 }
 
-static void draw_swatch(const Frame *frame, const PlotSeries *series, double x, double y) {
+static void draw_swatch(const PlotFrame *frame, const PlotSeries *series, double x, double y) {
     const double *color = colors[series->color];
     cairo_set_source_rgb(frame->cairo, color[0], color[1], color[2]);
     use_line(frame->cairo, series->line);
@@ -325,7 +241,7 @@ static void draw_swatch(const Frame *frame, const PlotSeries *series, double x, 
     draw_marker(frame->cairo, series->marker, x + swatch / 2, y);
 }
 
-static void draw_legend(const Frame *frame, Box box) {
+static void draw_legend(const PlotFrame *frame, PlotBox box) {
     const PlotPanel *panel = frame->panel;
     cairo_t *cairo = frame->cairo;
     if (box.height <= 6) return;
@@ -355,9 +271,9 @@ static void draw_legend(const Frame *frame, Box box) {
 
 void plot_panel_draw(const PlotPanel *panel, cairo_t *cairo, const PlotPlace *place) {
     double top = panel->title[0] ? top_margin : 0;
-    Box box = {place->x + left_margin, place->y + top, place->width - left_margin - right_margin,
-               place->height - top - bottom_margin};
-    Frame frame = {.panel = panel, .cairo = cairo, .box = box, .across = place->across, .up = place->up};
+    PlotBox box = {place->x + left_margin, place->y + top, place->width - left_margin - right_margin,
+                   place->height - top - bottom_margin};
+    PlotFrame frame = {.panel = panel, .cairo = cairo, .box = box, .across = place->across, .up = place->up};
     draw_axes(&frame);
     cairo_save(cairo);
     cairo_rectangle(cairo, box.x, box.y, box.width, box.height);
@@ -368,9 +284,9 @@ void plot_panel_draw(const PlotPanel *panel, cairo_t *cairo, const PlotPlace *pl
     cairo_restore(cairo);
     for (int i = 0; i < panel->series_count; i++) draw_series(&frame, &panel->series[i]);
     cairo_restore(cairo);
-    Box legend = legend_place(&frame);
+    PlotBox legend = legend_place(&frame);
     draw_legend(&frame, legend);
-    take(&frame, legend);
+    plot_frame_take(&frame, legend);
     draw_labels(&frame);
     draw_ring(&frame);
 }

@@ -7,7 +7,7 @@
 typedef struct FrameLog {
     /* From 0. */
     int number;
-    /* How often the scene was read. */
+    /* The number of pictures that were begun. */
     int pictures;
     int width, height;
     /* From the first event that the picture answers to the picture; 0 where there was none. */
