@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 /* Long, for slow machines and sanitizers; nothing waits as long as that unless it fails. */
-static const double patience_s = 30;
+static const double patience_s = 60;
 
 enum { SCREEN_WIDTH = 800, SCREEN_HEIGHT = 600 };
 
@@ -61,7 +61,10 @@ static int start_server(Desktop *desktop, const char *folder) {
     return *number ? atoi(number) : -1;
 }
 
-Desktop *desktop_start(void) {
+Desktop *window;
+
+int desktop_setup(void **state) {
+    (void)state;
     if (!has("Xvfb") || !has("xdotool")) {
         print_message("no Xvfb or no xdotool here\n");
         skip();
@@ -72,11 +75,14 @@ Desktop *desktop_start(void) {
     desktop->number = start_server(desktop, folder);
     if (desktop->number < 0) fail_msg("Xvfb does not start");
     snprintf(desktop->log_path, sizeof desktop->log_path, "%s", support_path("view.log"));
-    return desktop;
+    window = desktop;
+    return 0;
 }
 
-void desktop_stop(Desktop *desktop) {
-    if (!desktop) return;
+int desktop_teardown(void **state) {
+    (void)state;
+    Desktop *desktop = window;
+    if (!desktop) return 0;
     if (desktop->program > 0) {
         kill(desktop->program, SIGKILL);
         waitpid(desktop->program, NULL, 0);
@@ -85,6 +91,8 @@ void desktop_stop(Desktop *desktop) {
     waitpid(desktop->server, NULL, 0);
     text_free(&desktop->log);
     free(desktop);
+    window = NULL;
+    return 0;
 }
 
 static void read_log(Desktop *desktop) {
@@ -232,6 +240,11 @@ void desktop_expect_number(Desktop *desktop, const char *name, double low, doubl
     show_end(desktop, wanted);
 }
 
+void desktop_expect_frames(Desktop *desktop, int frames) {
+    double first = desktop_number(desktop, "frame");
+    desktop_expect_number(desktop, "frame", first + frames, 1e300);
+}
+
 void desktop_expect_rest(Desktop *desktop, double samples) {
     for (double end = clock_seconds() + patience_s; clock_seconds() < end; pause_ms(5)) {
         read_log(desktop);
@@ -259,6 +272,15 @@ double desktop_number(Desktop *desktop, const char *name) {
         end = line > log ? line - 1 : NULL;
     }
     return value;
+}
+
+double desktop_largest(Desktop *desktop, const char *name) {
+    double largest = -1e300, value;
+    const char *line = desktop_log(desktop);
+    for (const char *next; (next = strchr(line, '\n')); line = next + 1) {
+        if (number_in(line, (size_t)(next - line), name, &value) && value > largest) largest = value;
+    }
+    return largest;
 }
 
 /* An XWD file that the server keeps up to date: a header in 25 big-endian words and more, a colour map, then

@@ -6,9 +6,11 @@
 
 typedef struct Desktop Desktop;
 
-/* Starts the display; skips the test where Xvfb or xdotool is missing. */
-Desktop *desktop_start(void);
-void desktop_stop(Desktop *desktop);
+/* Each test's set-up and its end: a display of its own, as `window`. Skips the test where Xvfb or xdotool is
+ * missing. */
+extern Desktop *window;
+int desktop_setup(void **state);
+int desktop_teardown(void **state);
 
 /* Starts `magichour view ARGUMENTS --progress json` on it, in the test's folder ($here is the folder of
  * before), and waits for its first pictures; one at a time. */
@@ -37,11 +39,16 @@ const char *desktop_expect(Desktop *desktop, const char *words, const char *more
 /* Waits for a frame whose number `name` is in [low, high], and has the words. */
 void desktop_expect_number(Desktop *desktop, const char *name, double low, double high);
 
+/* Waits until what was done last has been seen and shown: until so many frames have begun since, of which the
+ * first may have been on its way before. */
+void desktop_expect_frames(Desktop *desktop, int frames);
+
 /* Waits for a picture at rest with so many samples that began after what was done last. */
 void desktop_expect_rest(Desktop *desktop, double samples);
 
-/* The number of that name in the last frame. */
+/* The number of that name in the last frame, and the largest in all frames since the program started. */
 double desktop_number(Desktop *desktop, const char *name);
+double desktop_largest(Desktop *desktop, const char *name);
 
 /* All that was logged since the program started. */
 const char *desktop_log(Desktop *desktop);

@@ -1,21 +1,23 @@
 #include "spread.h"
 
+#include "failed.h"
+#include "studio.h"
 #include "support.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-void spread_render(const char *scene, const char *arguments, int size, int first_seed, Spread *spread) {
+void spread_render(const char *scene, const char *arguments, int first_seed, Spread *spread) {
+    static Studio studio;
     memset(spread, 0, sizeof *spread);
-    spread->values = 3 * size * size;
+    studio_open(&studio, scene, arguments);
     for (int seed = 0; seed < SPREAD_SEEDS; seed++) {
-        Image image;
-        Error error;
-        int status = support_run("", "render '%s' --quiet --size %dx%d %s --seed %d -o '%s'", scene, size,
-                                 size, arguments, first_seed + seed, support_path("picture.pfm"));
-        if (status == STATUS_NO_GL) support_no_gl(support_err);
-        if (status != 0) fail_msg("render %s: %s", arguments, support_err);
-        if (!image_read(&image, support_path("picture.pfm"), &error)) fail_msg("%s", error.text);
+        Image image = studio_picture(&studio, (unsigned)(first_seed + seed));
+        spread->width = image.width;
+        spread->height = image.height;
+        spread->values = 3 * image.width * image.height;
+        assert_true(spread->values <= SPREAD_MOST_VALUES);
         for (int i = 0; i < spread->values; i++) {
             double value = (double)image.rgba[4 * (i / 3) + i % 3];
             spread->mean[i] += value / SPREAD_SEEDS;
@@ -23,34 +25,58 @@ void spread_render(const char *scene, const char *arguments, int size, int first
         }
         image_free(&image);
     }
+    studio_close(&studio);
     for (int i = 0; i < spread->values; i++)
         spread->variance[i] =
             fmax(spread->variance[i] - spread->mean[i] * spread->mean[i], 0) / (SPREAD_SEEDS - 1);
 }
 
-Agreement spread_agreement(const Spread *a, const Spread *b) {
-    Agreement result = {0};
-    double sums[2] = {0};
-    int counted = 0;
-    for (int i = 0; i < a->values; i++) {
-        double va = a->variance[i], vb = b->variance[i], both = va + vb, difference = b->mean[i] - a->mean[i];
-        sums[0] += a->mean[i];
-        sums[1] += b->mean[i];
-        if (both < 1e-6 * a->mean[i] * a->mean[i]) continue; /* the sky and the disk: no noise to speak of */
-        double freedom = (SPREAD_SEEDS - 1) * both * both / (va * va + vb * vb);
-        result.expected += freedom / (freedom - 2);
-        result.z2 += difference * difference / both;
-        result.far += difference * difference > 16 * both;
-        counted++;
-    }
-    result.difference = sums[1] / sums[0] - 1;
-    result.z2 /= counted;
-    result.expected /= counted;
-    result.far /= counted;
-    return result;
+Image spread_image(const Spread *spread) {
+    Image image = image_create(spread->width, spread->height);
+    for (int i = 0; i < spread->values; i++) image.rgba[4 * (i / 3) + i % 3] = (float)spread->mean[i];
+    for (int i = 0; i < spread->values / 3; i++) image.rgba[4 * i + 3] = 1;
+    return image;
 }
 
-/* Whether a pixel is off all edges: the picture is nearly even two pixels around it. */
+/* By Welch's degrees of freedom. */
+static void compare_values(const Spread *got, const Spread *wanted, ZTest *test) {
+    for (int i = 0; i < got->values; i++) {
+        double a = got->variance[i], b = wanted->variance[i], both = a + b;
+        /* The sky and the disk have no noise to speak of. */
+        if (both < 1e-6 * wanted->mean[i] * wanted->mean[i]) continue;
+        ztest_add(test, got->mean[i] - wanted->mean[i], both,
+                  (SPREAD_SEEDS - 1) * both * both / (a * a + b * b));
+    }
+}
+
+/* The channels of a pixel have the same paths: they may all be off together. */
+static bool compare_means(const char *name, const Spread *got, const Spread *wanted) {
+    double difference = 0, variance = 0, sum = 0;
+    for (int i = 0; i < got->values; i++) {
+        difference += got->mean[i] - wanted->mean[i];
+        variance += 3 * (got->variance[i] + wanted->variance[i]);
+        sum += wanted->mean[i];
+    }
+    return ztest_difference(name, difference, variance, sum, 1);
+}
+
+void spread_expect_same(const char *name, const Spread *got, const Spread *wanted, ZTest *pool) {
+    ZTest test = {.together = 3};
+    assert_int_equal(got->values, wanted->values);
+    compare_values(got, wanted, &test);
+    if (pool) ztest_pool(pool, &test);
+    bool means = compare_means(name, got, wanted), square = ztest_mean_square(name, &test);
+    if (ztest_outliers(name, &test) && means && square) return;
+    Image pictures[] = {spread_image(got), spread_image(wanted)};
+    failed_keep(name, &pictures[0], &pictures[1]);
+    for (int i = 0; i < 2; i++) image_free(&pictures[i]);
+    fail_msg("%s: not the same picture", name);
+}
+
+void spread_expect_pool(const char *name, const ZTest *pool) {
+    if (!ztest_mean_square(name, pool)) fail_msg("%s: not the same pictures", name);
+}
+
 bool spread_even_around(const Image *image, int x, int y) {
     double least = 1e30, most = 0;
     for (int i = 0; i < 25; i++) {

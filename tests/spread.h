@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "ztest.h"
 
 #include <stdbool.h>
 
@@ -9,20 +10,24 @@ enum { SPREAD_SEEDS = 8, SPREAD_MOST_VALUES = 3 * 256 * 256 };
 
 /* A picture's mean over the seeds and the variance of that mean, by channel. */
 typedef struct Spread {
-    int values;
+    int width, height, values;
     double mean[SPREAD_MOST_VALUES], variance[SPREAD_MOST_VALUES];
 } Spread;
 
-/* Renders size x size pixels with seeds from `first_seed` on; skips the test where there is no OpenGL. */
-void spread_render(const char *scene, const char *arguments, int size, int first_seed, Spread *spread);
+/* Renders with seeds from `first_seed` on; the arguments give the size. Their --spp is scaled by
+ * support_samples(). Ends the test where there is no OpenGL. */
+void spread_render(const char *scene, const char *arguments, int first_seed, Spread *spread);
 
-/* What two spreads say of each other. Expected: mean z^2 as Student's t with Welch's degrees of freedom makes
- * it. */
-typedef struct Agreement {
-    double difference, z2, expected, far; /* relative difference of the means; share of |z| > 4 */
-} Agreement;
+/* The mean as a picture, to be freed. */
+Image spread_image(const Spread *spread);
 
-Agreement spread_agreement(const Spread *a, const Spread *b);
+/* Whether two spreads have the same mean, value by value and as a whole, within the noise of both (ztest.h).
+ * Where not, the pictures are kept under `name` (failed.h) and the test fails. What was found is added to
+ * `pool` unless that is NULL: tests of several places together have the sharper limits. */
+void spread_expect_same(const char *name, const Spread *got, const Spread *wanted, ZTest *pool);
+
+/* Fails the test unless the mean of z^2 over all places is what it should be. */
+void spread_expect_pool(const char *name, const ZTest *pool);
 
 /* Whether a pixel is off all edges: the picture is nearly even two pixels around it. */
 bool spread_even_around(const Image *image, int x, int y);

@@ -38,32 +38,28 @@ uint64_t support_samples(uint64_t samples) {
 
 /* ---- Each test's time */
 
-static struct {
-    const struct CMUnitTest *tests;
-    size_t next;
-    double start_s;
-} timed;
+static const struct CMUnitTest *timed;
+static double timed_start_s;
 
+/* A test that is wrapped has the original for its initial state. */
 static int start_timed(void **state) {
-    const struct CMUnitTest *test = &timed.tests[timed.next];
-    timed.start_s = clock_seconds();
-    *state = test->initial_state;
-    return test->setup_func ? test->setup_func(state) : 0;
+    timed = *state;
+    timed_start_s = clock_seconds();
+    *state = timed->initial_state;
+    return timed->setup_func ? timed->setup_func(state) : 0;
 }
 
 static int end_timed(void **state) {
-    const struct CMUnitTest *test = &timed.tests[timed.next++];
-    print_message("[     TIME ] %s: %.2f s\n", test->name, clock_seconds() - timed.start_s);
-    return test->teardown_func ? test->teardown_func(state) : 0;
+    print_message("[     TIME ] %s: %.2f s\n", timed->name, clock_seconds() - timed_start_s);
+    return timed->teardown_func ? timed->teardown_func(state) : 0;
 }
 
 int support_run_tests(const char *name, const struct CMUnitTest *tests, size_t count, CMFixtureFunction setup,
                       CMFixtureFunction teardown) {
     struct CMUnitTest *wrapped = memory_get(count, sizeof *wrapped);
     for (size_t i = 0; i < count; i++)
-        wrapped[i] = (struct CMUnitTest){tests[i].name, tests[i].test_func, start_timed, end_timed, NULL};
-    timed.tests = tests;
-    timed.next = 0;
+        wrapped[i] =
+            (struct CMUnitTest){tests[i].name, tests[i].test_func, start_timed, end_timed, (void *)&tests[i]};
     int failures = _cmocka_run_group_tests(name, wrapped, count, setup, teardown);
     free(wrapped);
     return failures;

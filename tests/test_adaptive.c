@@ -144,7 +144,7 @@ static double relrmse(const Image *a, const Image *b) {
     return result.rel_rmse_percent;
 }
 
-/* A picture to 2 %: it is, it says so, with fewer paths than an even one, and each tile is what an even
+/* A picture to 1.2 %: it is, it says so, with fewer paths than an even one, and each tile is what an even
  * picture of its number of samples has there. */
 static void test_adaptive(void **state) {
     (void)state;

@@ -1,5 +1,6 @@
 /* Surfaces that emit: in closed form, in furnaces, found by chance and by looking for them, and another
  * renderer's room. */
+#include "failed.h"
 #include "spread.h"
 #include "support.h"
 
@@ -225,24 +226,19 @@ static void test_chance(void **state) {
              "//@ emitter-sphere -1 1.6 0 0.7\n//@ emitter-sphere 2 1.5 2 0.87\n"
              "//@ emitter-sphere 0 0.5 3 0.8\n");
     const char *with = support_write("sampled.glsl", text);
-    double z2 = 0, expected = 0;
+    ZTest pool = {0};
     for (int i = 0; i < 5; i++) {
-        char arguments[128];
+        char arguments[128], name[128];
         const char *plain = i < 3 ? "cosine" : i == 3 ? "cosine --sun-disk" : "paper";
-        snprintf(arguments, sizeof arguments, "--spp 1024 --sequence random --light %s", plain);
-        if (i == 0 || i > 2) spread_render(without, arguments, 32, 0, &chance);
-        snprintf(arguments, sizeof arguments, "--spp 1024 --sequence %s --light %s",
+        snprintf(arguments, sizeof arguments, "--size 32x32 --spp 1024 --sequence random --light %s", plain);
+        if (i == 0 || i > 2) spread_render(without, arguments, 0, &chance);
+        snprintf(arguments, sizeof arguments, "--size 32x32 --spp 1024 --sequence %s --light %s",
                  i % 2 ? "sobol" : "random", lights[i]);
-        spread_render(with, arguments, 32, 100, &sampled);
-        Agreement got = spread_agreement(&chance, &sampled);
-        print_message("%s: means differ by %+.3f %%, mean z^2 %.3f of %.3f, |z| > 4 in %.2f %%\n", lights[i],
-                      100 * got.difference, got.z2, got.expected, 100 * got.far);
-        assert_true(fabs(got.difference) < 3e-3 && got.far < 0.015);
-        z2 += got.z2 / 5;
-        expected += got.expected / 5;
+        spread_render(with, arguments, 100, &sampled);
+        snprintf(name, sizeof name, "lamps, %s", lights[i]);
+        spread_expect_same(name, &sampled, &chance, &pool);
     }
-    print_message("together: mean z^2 %.3f of %.3f\n", z2, expected);
-    assert_true(z2 < 1.05 * expected && z2 > 0.95);
+    spread_expect_pool("lamps, all lights", &pool);
 }
 
 /* What a scene does not use is not compiled. */
@@ -261,16 +257,17 @@ static void test_compiled(void **state) {
     }
 }
 
-/* Mitsuba's box room (tools/peer_box_room.py), pixel by pixel off edges: its standard errors and ours. */
+/* Mitsuba's box room (tools/peer_box_room.py), pixel by pixel off edges: within its standard errors, ours,
+ * and the rounding of its halves. */
 static void test_another_renderer(void **state) {
     (void)state;
     enum { SIZE = 128 };
     static Spread ours;
+    ZTest test = {.together = 3};
     Image reference, se;
     Error error;
-    double sums[2][3] = {{0}}, z2 = 0;
-    int counted = 0, far = 0;
-    spread_render("scenes/box-room.glsl", "--spp 256 --sequence random", SIZE, 0, &ours);
+    double sums[2][3] = {{0}};
+    spread_render("scenes/box-room.glsl", "--size 128x128 --spp 256 --sequence random", 0, &ours);
     if (!image_read(&reference, "tests/data/box_room.exr", &error) ||
         !image_read(&se, "tests/data/box_room_se.exr", &error))
         fail_msg("%s", error.text);
@@ -279,25 +276,29 @@ static void test_another_renderer(void **state) {
         sums[0][i % 3] += ours.mean[i];
         sums[1][i % 3] += (double)reference.rgba[at];
         if (y < 2 || y > SIZE - 3 || x < 2 || x > SIZE - 3 || !spread_even_around(&reference, x, y)) continue;
-        double own = (double)se.rgba[at], difference = ours.mean[i] - (double)reference.rgba[at];
-        double variance =
-            own * own + ours.variance[i] + pow(3e-4 * ours.mean[i], 2); /* its halves' rounding */
-        z2 += difference * difference / variance;
-        far += difference * difference > 16 * variance;
-        counted++;
+        double own = (double)se.rgba[at], v = ours.variance[i];
+        double both = own * own + v + pow(3e-4 * ours.mean[i], 2);
+        ztest_add(&test, ours.mean[i] - (double)reference.rgba[at], both,
+                  (SPREAD_SEEDS - 1) * both * both / (v * v));
     }
     for (int c = 0; c < 3; c++) {
         print_message("channel %d: means differ by %+.3f %%\n", c, 100 * (sums[0][c] / sums[1][c] - 1));
         assert_true(fabs(sums[0][c] / sums[1][c] - 1) < 5e-3);
     }
-    print_message("mean z^2 %.3f, |z| > 4 in %.2f %% of %d values off edges\n", z2 / counted,
-                  100.0 * far / counted, counted);
-    assert_true(counted > SIZE * SIZE && far < 0.01 * counted && z2 < 1.6 * counted);
+    assert_true(test.count > SIZE * SIZE);
+    bool square = ztest_mean_square("box room", &test), far = ztest_outliers("box room", &test);
+    if (!square || !far) {
+        Image got = spread_image(&ours);
+        failed_keep("box room", &got, &reference);
+        image_free(&got);
+        fail_msg("another picture than the reference");
+    }
     image_free(&reference);
     image_free(&se);
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+    if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_density),          cmocka_unit_test(test_irradiance),
         cmocka_unit_test(test_furnace),          cmocka_unit_test(test_glow),

@@ -12,21 +12,6 @@
 #include <string.h>
 #include <unistd.h>
 
-static Desktop *desktop;
-
-static int start(void **state) {
-    (void)state;
-    desktop = desktop_start();
-    return 0;
-}
-
-static int stop(void **state) {
-    (void)state;
-    desktop_stop(desktop);
-    desktop = NULL;
-    return 0;
-}
-
 #define SCENE                                                                                                \
     "//@ title Edited\n//@ camera eye 0 3 -3 target 0 0 0\n#include \"material/matte.glsl\"\n"               \
     "#include \"shape/plane.glsl\"\n#include \"tint.glsl\"\n"                                                \
@@ -71,26 +56,26 @@ static void test_storm(void **state) {
     unsigned seed = 1;
     const char *path = support_write("edited.glsl", SCENE);
     support_write("tint.glsl", "vec3 tint() { return vec3(0.5); }\n");
-    desktop_view(desktop, "'%s' --size 480x270 --sun-disk", path);
+    desktop_view(window, "'%s' --size 480x270 --sun-disk", path);
     for (int done = 0; done < events;) {
         Text script = {0};
         for (int i = 0; i < 10 && done < events; i++, done++) random_event(&seed, &script);
-        desktop_do(desktop, "%s", text_string(&script));
+        desktop_do(window, "%s", text_string(&script));
         text_free(&script);
-        desktop_expect(desktop, "\"event\": \"frame\"", "");
+        desktop_expect(window, "\"event\": \"frame\"", "");
     }
     for (int i = 0; i < reloads; i++) {
         char text[128];
         bool broken = i % 5 == 4;
         snprintf(text, sizeof text, "vec3 tint() { return vec3(%g%s); }\n", 0.1 + 0.004 * (i % 200),
                  broken ? ", " : "");
-        desktop_do(desktop, "mousemove %d 20", i % 100);
+        desktop_do(window, "mousemove %d 20", i % 100);
         support_write("tint.glsl", text);
-        desktop_expect(desktop, "\"event\": \"reload\"", broken ? "broken" : "good");
+        desktop_expect(window, "\"event\": \"reload\"", broken ? "broken" : "good");
     }
-    desktop_signal(desktop, SIGTERM);
-    assert_int_equal(desktop_end(desktop), 0);
-    assert_null(strstr(desktop_log(desktop), "OpenGL error"));
+    desktop_signal(window, SIGTERM);
+    assert_int_equal(desktop_end(window), 0);
+    assert_null(strstr(desktop_log(window), "OpenGL error"));
 }
 
 enum { MOST_TIMES = 4096 };
@@ -109,7 +94,7 @@ static void print_times(const char *what, double *times, int count) {
 static void measure_answers(size_t from) {
     double times[MOST_TIMES];
     int count = 0;
-    for (const char *at = desktop_log(desktop) + from;
+    for (const char *at = desktop_log(window) + from;
          (at = strstr(at, "\"latency_ms\": ")) && count < MOST_TIMES; at++) {
         sscanf(at, "\"latency_ms\": %lf", &times[count]);
         count += times[count] > 0;
@@ -124,10 +109,10 @@ static void measure_latency(void) {
     for (int i = 0; i < TIMES; i++) {
         double before[3], now[3];
         usleep(1200000);
-        desktop_mean(desktop, 300, 20, 4, 4, before);
+        desktop_mean(window, 300, 20, 4, 4, before);
         double start_s = clock_seconds();
-        desktop_do(desktop, "key --delay 0 %d", i % 2 ? 3 : 1);
-        do desktop_mean(desktop, 300, 20, 4, 4, now);
+        desktop_do(window, "key --delay 0 %d", i % 2 ? 3 : 1);
+        do desktop_mean(window, 300, 20, 4, 4, now);
         while (fabs(now[0] - before[0]) < 3 && clock_seconds() < start_s + 2);
         times[i] = 1e3 * (clock_seconds() - start_s);
     }
@@ -137,7 +122,7 @@ static void measure_latency(void) {
 /* What a picture's error truly is: against one of many samples and another seed. */
 static void measure_error(const char *scene, const char *size, const char *picture) {
     const char *reference = support_path("reference.exr");
-    double elevation = desktop_number(desktop, "elevation"), azimuth = desktop_number(desktop, "azimuth");
+    double elevation = desktop_number(window, "elevation"), azimuth = desktop_number(window, "azimuth");
     assert_int_equal(support_run("",
                                  "render '%s' -o '%s' --quiet --size %s --spp 512 --seed 9 --sun %.9g,%.9g",
                                  scene, reference, size, elevation, azimuth),
@@ -152,30 +137,30 @@ static int measure(const char *scene, const char *size) {
     char picture[512];
     void *state = NULL;
     if (support_folder(&state) != 0) return 1;
-    desktop = desktop_start();
-    desktop_view(desktop, "\"$here\"/%s --size %s", scene, size);
+    desktop_setup(&state);
+    desktop_view(window, "\"$here\"/%s --size %s", scene, size);
     usleep(2000000);
     Text script = {0};
     text_print(&script, "mousemove 500 100 mousedown 3");
     for (int i = 0; i < seconds / 0.015; i++)
         text_print(&script, " mousemove 500 %d sleep 0.015", 100 + i % 100);
-    size_t log = strlen(desktop_log(desktop));
-    double frames = desktop_number(desktop, "frame"), from = clock_seconds();
-    desktop_do(desktop, "%s", text_string(&script));
-    frames = desktop_number(desktop, "frame") - frames;
+    size_t log = strlen(desktop_log(window));
+    double frames = desktop_number(window, "frame"), from = clock_seconds();
+    desktop_do(window, "%s", text_string(&script));
+    frames = desktop_number(window, "frame") - frames;
     printf("%s %s: %.1f updates a second while the sun is dragged, 1 / %.0f of the size\n", scene, size,
-           frames / (clock_seconds() - from), desktop_number(desktop, "coarseness"));
+           frames / (clock_seconds() - from), desktop_number(window, "coarseness"));
     measure_answers(log);
-    desktop_do(desktop, "mouseup 3");
+    desktop_do(window, "mouseup 3");
     usleep(2000000);
-    snprintf(picture, sizeof picture, "%s", desktop_save(desktop, "exr"));
-    printf("after 2 s of rest: %.0f samples, error about %.2f %%\n", desktop_number(desktop, "samples"),
-           desktop_number(desktop, "error_percent"));
+    snprintf(picture, sizeof picture, "%s", desktop_save(window, "exr"));
+    printf("after 2 s of rest: %.0f samples, error about %.2f %%\n", desktop_number(window, "samples"),
+           desktop_number(window, "error_percent"));
     measure_error(scene, size, picture);
     measure_latency();
     text_free(&script);
-    desktop_quit(desktop);
-    desktop_stop(desktop);
+    desktop_quit(window);
+    desktop_teardown(&state);
     return support_clean(&state);
 }
 
@@ -183,7 +168,7 @@ int main(int argc, char **argv) {
     if (argc > 3 && strcmp(argv[1], "measure") == 0) return measure(argv[2], argv[3]);
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_storm, start, stop),
+        cmocka_unit_test_setup_teardown(test_storm, desktop_setup, desktop_teardown),
     };
     return cmocka_run_group_tests_name("window_load", tests, support_folder, support_clean);
 }

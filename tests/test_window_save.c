@@ -15,21 +15,6 @@
 
 #define SMALL "--size 320x180"
 
-static Desktop *desktop;
-
-static int start(void **state) {
-    (void)state;
-    desktop = desktop_start();
-    return 0;
-}
-
-static int stop(void **state) {
-    (void)state;
-    desktop_stop(desktop);
-    desktop = NULL;
-    return 0;
-}
-
 /* The `render` command that a PNG was saved with, in the text of its metadata. */
 static void saved_command(const char *png, char *command, size_t size) {
     Text file = {0};
@@ -59,7 +44,7 @@ static void compare_with_screen(const char *png, double most_different) {
     for (unsigned y = 10; y < image.height; y += 9) {
         for (unsigned x = 0; x < image.width; x += 7) {
             int rgb[3];
-            desktop_pixel(desktop, (int)x, (int)y, rgb);
+            desktop_pixel(window, (int)x, (int)y, rgb);
             for (int c = 0; c < 3; c++) {
                 int apart = abs(rgb[c] - bytes[3 * (y * image.width + x) + (unsigned)c]);
                 values++;
@@ -76,14 +61,14 @@ static void compare_with_screen(const char *png, double most_different) {
 static void test_save(void **state) {
     (void)state;
     char command[4096];
-    desktop_view(desktop, "\"$here\"/scenes/crater.glsl " SMALL " --spp 48 --seed 7 --set hover=0.75");
-    desktop_do(desktop, "key h mousemove 100 90 mousedown 1 mousemove 110 93 mouseup 1 key 3");
-    desktop_expect_rest(desktop, 48);
-    desktop_do(desktop, "mousemove 700 500 key p"); /* the pointer out of the picture */
-    const char *line = desktop_expect(desktop, "\"event\": \"save\"", "\"message\": \"\"");
+    desktop_view(window, "\"$here\"/scenes/crater.glsl " SMALL " --spp 48 --seed 7 --set hover=0.75");
+    desktop_do(window, "key h mousemove 100 90 mousedown 1 mousemove 110 93 mouseup 1 key 3");
+    desktop_expect_rest(window, 48);
+    desktop_do(window, "mousemove 700 500 key p"); /* the pointer out of the picture */
+    const char *line = desktop_expect(window, "\"event\": \"save\"", "\"message\": \"\"");
     assert_non_null(strstr(line, "crater-001"));
     compare_with_screen(support_path("crater-001.png"), 0.003);
-    desktop_quit(desktop);
+    desktop_quit(window);
     saved_command(support_path("crater-001.png"), command, sizeof command);
     char *end = strstr(command, " --set hover=0.75");
     assert_non_null(end);
@@ -114,13 +99,13 @@ static void test_save_moving(void **state) {
             "Material scene_material(Hit hit) {\n"
             "    return matte(vec3(0.5 + 0.4 * sin(iTime), 0.001 * iMouse.x, 0.001 * iMouse.y)); "
             "}\n"));
-    desktop_view(desktop, "%s --glsl-dir %s " SMALL " --spp 16", text_string(&scene), text_string(&library));
-    desktop_do(desktop,
+    desktop_view(window, "%s --glsl-dir %s " SMALL " --spp 16", text_string(&scene), text_string(&library));
+    desktop_do(window,
                "key h mousemove 100 90 mousedown 1 mousemove 110 93 mouseup 1 key space sleep 0.3 key space");
-    desktop_expect_rest(desktop, 16);
-    desktop_do(desktop, "mousemove 700 500");
-    const char *saved = desktop_save(desktop, "exr");
-    desktop_quit(desktop);
+    desktop_expect_rest(window, 16);
+    desktop_do(window, "mousemove 700 500");
+    const char *saved = desktop_save(window, "exr");
+    desktop_quit(window);
     assert_true(exr_attribute(saved, "magichour.command", &command));
     assert_non_null(strstr(text_string(&command), " --set time="));
     assert_non_null(strstr(text_string(&command), " --set mouse=110,87,-100,-90"));
@@ -157,16 +142,16 @@ static void test_save_sides(void **state) {
     (void)state;
     Image image;
     Error error;
-    desktop_view(desktop, "\"$here\"/scenes/crater.glsl " SMALL " --spp 32");
-    desktop_do(desktop, "mousemove 40 90 key h key i key v mousemove 700 500");
-    desktop_expect(desktop, "\"sides\": 2", "\"rests\": 1");
-    const char *sides = desktop_save(desktop, "png");
+    desktop_view(window, "\"$here\"/scenes/crater.glsl " SMALL " --spp 32");
+    desktop_do(window, "mousemove 40 90 key h key i key v mousemove 700 500");
+    desktop_expect(window, "\"sides\": 2", "\"rests\": 1");
+    const char *sides = desktop_save(window, "png");
     compare_with_screen(sides, 0.003);
-    desktop_do(desktop, "key f");
-    desktop_expect_number(desktop, "difference", 10, 10);
-    compare_with_screen(desktop_save(desktop, "png"), 0.4);
-    const char *difference = desktop_save(desktop, "exr");
-    desktop_quit(desktop);
+    desktop_do(window, "key f");
+    desktop_expect_number(window, "difference", 10, 10);
+    compare_with_screen(desktop_save(window, "png"), 0.4);
+    const char *difference = desktop_save(window, "exr");
+    desktop_quit(window);
     assert_true(image_read(&image, difference, &error));
     double below = channel_mean(&image, 1, true), above = channel_mean(&image, 1, false);
     assert_true(below < 0 && fabs(above / below + 1) < 0.3);
@@ -181,33 +166,33 @@ static void test_inspect(void **state) {
     static const char *const channels[] = {"pixel_red", "pixel_green", "pixel_blue"};
     Image image;
     Error error;
-    desktop_view(desktop, "\"$here\"/scenes/crater.glsl " SMALL " --spp 32");
-    desktop_do(desktop, "mousemove %d %d key i", X, Y);
-    desktop_expect(desktop, "\"rests\": 1", "\"pixel_x\": 200, \"pixel_y\": 160");
-    const char *path = desktop_save(desktop, "exr");
+    desktop_view(window, "\"$here\"/scenes/crater.glsl " SMALL " --spp 32");
+    desktop_do(window, "mousemove %d %d key i", X, Y);
+    desktop_expect(window, "\"rests\": 1", "\"pixel_x\": 200, \"pixel_y\": 160");
+    const char *path = desktop_save(window, "exr");
     assert_true(image_read(&image, path, &error));
     for (int c = 0; c < 3; c++) {
         double saved = (double)image.rgba[4 * (Y * image.width + X) + c];
-        assert_true(fabs(desktop_number(desktop, channels[c]) - saved) < 1e-6 * saved);
+        assert_true(fabs(desktop_number(window, channels[c]) - saved) < 1e-6 * saved);
     }
     image_free(&image);
-    assert_true(desktop_number(desktop, "pixel_samples") == 32);
+    assert_true(desktop_number(window, "pixel_samples") == 32);
     /* Eye 2 m high, looking down by atan(1/2), 90 degrees high. */
     double up = 1 - (Y + 0.5) / 90, sink = (1 - 2 * up) / sqrt(5);
-    assert_true(fabs(desktop_number(desktop, "pixel_depth") * sink / 2 - 1) < 0.01);
-    double albedo = desktop_number(desktop, "pixel_albedo"),
-           percent = desktop_number(desktop, "pixel_error_percent");
+    assert_true(fabs(desktop_number(window, "pixel_depth") * sink / 2 - 1) < 0.01);
+    double albedo = desktop_number(window, "pixel_albedo"),
+           percent = desktop_number(window, "pixel_error_percent");
     assert_true(albedo > 0.099 && albedo < 0.801 && percent > 0 && percent < 50);
-    desktop_quit(desktop);
+    desktop_quit(window);
 }
 
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_save, start, stop),
-        cmocka_unit_test_setup_teardown(test_save_moving, start, stop),
-        cmocka_unit_test_setup_teardown(test_save_sides, start, stop),
-        cmocka_unit_test_setup_teardown(test_inspect, start, stop),
+        cmocka_unit_test_setup_teardown(test_save, desktop_setup, desktop_teardown),
+        cmocka_unit_test_setup_teardown(test_save_moving, desktop_setup, desktop_teardown),
+        cmocka_unit_test_setup_teardown(test_save_sides, desktop_setup, desktop_teardown),
+        cmocka_unit_test_setup_teardown(test_inspect, desktop_setup, desktop_teardown),
     };
     return cmocka_run_group_tests_name("window_save", tests, support_folder, support_clean);
 }

@@ -82,6 +82,12 @@ static bool refuse(const char *step, Error *error) {
     return error_set(error, STATUS_NO_GL, "%s: %s", step, reason ? reason : "no reason given");
 }
 
+/* Whether there may be a display. Without the last of these, the Wayland library writes a line of its own to
+ * standard error when GLFW tries it. */
+static bool may_have_display(void) {
+    return getenv("DISPLAY") || getenv("WAYLAND_DISPLAY") || getenv("XDG_RUNTIME_DIR");
+}
+
 /* As wanted, or as large as the screen allows. */
 static GLFWwindow *create(const char *title, int width, int height) {
     int x, y, most_width = 0, most_height = 0;
@@ -100,6 +106,9 @@ static GLFWwindow *create(const char *title, int width, int height) {
 
 bool window_open(Window *window, const char *title, int width, int height, Error *error) {
     *window = (Window){.scale = 1};
+    if (!may_have_display()) {
+        return error_set(error, STATUS_NO_GL, "no display: neither DISPLAY nor WAYLAND_DISPLAY is set");
+    }
     if (!glfwInit()) return refuse("no display", error);
     window->handle = create(title, width, height);
     if (!window->handle) {
