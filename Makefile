@@ -39,7 +39,7 @@ LIBRARY := $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(LEFT_OUT),$(wildcard tests/test_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$(wildcard tests/*.c)))
 
-.PHONY: all tests demo test check check-slow check-all lint format deps man install uninstall clean compile_commands.json FORCE
+.PHONY: all tests demo test check check-slow check-all tests-table lint format deps man install uninstall clean compile_commands.json FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
@@ -87,6 +87,10 @@ check-slow: SUITE = slow
 check-all: SUITE = all
 check check-slow check-all: all tests
 	tests/run.sh $(BUILD) $(SUITE)
+
+# The tables of figures in tests/README.md: minutes.
+tests-table: $(BUILD)/magichour $(BUILD)/tests/test_scenes $(BUILD)/tests/test_noise
+	tests/table.sh $(BUILD)
 
 lint:
 	@tools/deps.sh --missing build lint

@@ -49,15 +49,19 @@ static void compare_values(const Spread *got, const Spread *wanted, ZTest *test)
     }
 }
 
+typedef struct Means {
+    double difference, variance, sum;
+} Means;
+
 /* The channels of a pixel have the same paths: they may all be off together. */
-static bool compare_means(const char *name, const Spread *got, const Spread *wanted) {
-    double difference = 0, variance = 0, sum = 0;
+static Means compare_means(const Spread *got, const Spread *wanted) {
+    Means means = {0};
     for (int i = 0; i < got->values; i++) {
-        difference += got->mean[i] - wanted->mean[i];
-        variance += 3 * (got->variance[i] + wanted->variance[i]);
-        sum += wanted->mean[i];
+        means.difference += got->mean[i] - wanted->mean[i];
+        means.variance += 3 * (got->variance[i] + wanted->variance[i]);
+        means.sum += wanted->mean[i];
     }
-    return ztest_difference(name, difference, variance, sum, 1);
+    return means;
 }
 
 void spread_expect_same(const char *name, const Spread *got, const Spread *wanted, ZTest *pool) {
@@ -65,8 +69,15 @@ void spread_expect_same(const char *name, const Spread *got, const Spread *wante
     assert_int_equal(got->values, wanted->values);
     compare_values(got, wanted, &test);
     if (pool) ztest_pool(pool, &test);
-    bool means = compare_means(name, got, wanted), square = ztest_mean_square(name, &test);
-    if (ztest_outliers(name, &test) && means && square) return;
+    Means means = compare_means(got, wanted);
+    bool mean = ztest_difference(name, means.difference, means.variance, means.sum, 1);
+    bool square = ztest_mean_square(name, &test), outliers = ztest_outliers(name, &test);
+    support_table("z-tests", "| %s | %+.3f %% | %.3f %% | %.2f | %.2f | %.2f %% | %.2f %% |", name,
+                  100 * means.difference / means.sum,
+                  100 * ztest_difference_limit(means.variance, 1) / means.sum, test.z2 / (double)test.count,
+                  test.expected / (double)test.count, 100 * test.far / (double)test.count,
+                  100 * test.far_expected / (double)test.count);
+    if (mean && square && outliers) return;
     Image pictures[] = {spread_image(got), spread_image(wanted)};
     failed_keep(name, &pictures[0], &pictures[1]);
     for (int i = 0; i < 2; i++) image_free(&pictures[i]);

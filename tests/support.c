@@ -36,6 +36,19 @@ uint64_t support_samples(uint64_t samples) {
     return samples < 4 ? 4 : samples;
 }
 
+void support_table(const char *kind, const char *format, ...) {
+    const char *path = getenv("MAGICHOUR_TABLE");
+    FILE *file = path ? fopen(path, "a") : NULL;
+    va_list list;
+    if (!file) return;
+    fprintf(file, "%s\t", kind);
+    va_start(list, format);
+    vfprintf(file, format, list);
+    va_end(list);
+    fputc('\n', file);
+    fclose(file);
+}
+
 /* ---- Each test's time */
 
 static const struct CMUnitTest *timed;

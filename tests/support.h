@@ -24,6 +24,10 @@ void support_open(Context *context);
  * FEWER_SAMPLES=N. Its bounds must come from the measured noise. */
 uint64_t support_samples(uint64_t samples);
 
+/* Adds a row to a table of tests/README.md, where the environment says MAGICHOUR_TABLE=FILE (tests/table.sh).
+ * `kind` tells the tables apart. */
+void support_table(const char *kind, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 /* Runs a group of tests as cmocka does, and prints the time of each. */
 int support_run_tests(const char *name, const struct CMUnitTest *tests, size_t count, CMFixtureFunction setup,
                       CMFixtureFunction teardown);

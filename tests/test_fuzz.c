@@ -4,6 +4,7 @@
 #include "support.h"
 
 #include "base/file.h"
+#include "base/memory.h"
 #include "cmd/sky_rows.h"
 #include "image/codec.h"
 #include "scene/scene.h"

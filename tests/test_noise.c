@@ -14,8 +14,8 @@
 /* The size and samples that the table is of. */
 #define PICTURE "--size 48x36 --spp 64"
 
-/* What is measured may be above the table by this factor, or below it: then the table is remade, so that it stays
- * sharp. Other seeds change the figures by less than a tenth. */
+/* What is measured may be above the table by this factor, or below it: then the table is remade, so that it
+ * stays sharp. Other seeds change the figures by less than a tenth. */
 static const double margin = 1.15;
 
 static const char table_path[] = "tests/data/noise.csv";
@@ -90,6 +90,7 @@ static void test_every_scene(void **state) {
                       ok               ? ""
                       : got > expected ? ": WORSE"
                                        : ": BETTER, run test_noise measure");
+        support_table("noise", "| %s | %s | %.3f %% | %.3f %% |", scene, disk, got, expected);
         wrong += !ok;
     }
     if (wrong) fail_msg("%d of %d pictures have another noise than in %s", wrong, 2 * list.count, table_path);

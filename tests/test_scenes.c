@@ -221,6 +221,8 @@ static void expect_white(const char *path, const Image *image, int comparisons) 
     /* 1e-7: floats near 1 are 6e-8 apart. */
     bool ok = ztest_difference(path, mean, square / pixels + 1e-14, 1, comparisons);
     print_message("%s: worst pixel %.3f\n", path, worst);
+    support_table("furnaces", "| %s | %+.1e | %.1e | %.3f |", path, mean,
+                  ztest_difference_limit(square / pixels + 1e-14, comparisons), worst);
     assert_true(ok && worst < 0.3);
 }
 

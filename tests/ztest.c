@@ -98,8 +98,12 @@ bool ztest_outliers(const char *name, const ZTest *test) {
     return ok;
 }
 
+double ztest_difference_limit(double variance, long comparisons) {
+    return ztest_limit(comparisons) * sqrt(variance);
+}
+
 bool ztest_difference(const char *name, double difference, double variance, double scale, long comparisons) {
-    double limit = ztest_limit(comparisons) * sqrt(variance);
+    double limit = ztest_difference_limit(variance, comparisons);
     bool ok = fabs(difference) <= limit;
     print_message("%s: means differ by %+.4f %%, limit %.4f %%%s\n", name, 100 * difference / scale,
                   100 * limit / scale, ok ? "" : ": OUT");

@@ -37,6 +37,9 @@ void ztest_add(ZTest *test, double difference, double variance, double freedom);
 /* Adds what another test has found, of other random numbers. */
 void ztest_pool(ZTest *pool, const ZTest *test);
 
+/* The largest difference that ztest_difference() allows. */
+double ztest_difference_limit(double variance, long comparisons);
+
 /* Whether the mean of z^2 is what the measured noise makes it. Below, it may be 1 instead of Student's
  * expectation: so it is where the noise of a value comes from one rare event among the seeds. Prints the
  * figures and the limits. */
