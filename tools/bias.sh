@@ -4,9 +4,10 @@
 # STEP is one of
 #   measure   measures what is named and is not in FOLDER/measured.csv yet, and adds it there. It can be stopped and goes on later.
 #   compare   prints each measured figure beside that of the header, and the ratios' least, median and most.
-#   write     writes the header anew: figures that were measured replace those of before. Without its pictures a figure only replaces
-#             a smaller one.
-#   all       measure and write.
+#   replace   writes the header anew: figures that were measured replace those of before.
+#   raise     writes the header anew, but only replaces smaller figures: for what was measured in parts, without the pictures or with
+#             other observers.
+#   all       measure and replace.
 #
 # AIRS are `clear` (simmons2017) and `ozone` (earth). PLACES count from 0: up to 1 km, up to 20 km, up to the top of the air, above.
 # SUNS are rows of the table, in degrees. COLUMNS are gauss:4 ... gauss:12, paper:16x4, paper:64x16, rows and columns, the last two
@@ -23,7 +24,7 @@
 # QUICK=1 measures one observer a place, the row's sun alone, 256 directions, and pictures of 32x32 pixels and 8 samples: a figure in
 # a few seconds, to see that all works. PICTURES= leaves the pictures out. HEIGHTS="1100 3000" names other observers, in metres.
 set -eu
-if [ $# -lt 3 ]; then sed -n '2,25s/^# \{0,1\}//p' "$0"; exit 2; fi
+if [ $# -lt 3 ]; then sed -n '2,27s/^# \{0,1\}//p' "$0"; exit 2; fi
 all_suns="90 30 15 5 2 1 0.5 0 -0.2 -1 -4 -6 -8 -10 -12"
 all_columns="gauss:4 gauss:5 gauss:6 gauss:7 gauss:8 gauss:10 gauss:12 paper:16x4 paper:64x16 rows columns"
 step=$1 magichour=$2 folder=$3 airs=${4:-clear ozone} places=${5:-0 1 2 3} suns=${6:-$all_suns} columns=${7:-$all_columns}
@@ -212,7 +213,6 @@ figures() {
                 figure = word[1] "," word[2] "," word[3] "," word[4]
                 if (word[8] + 0 > most[figure]) most[figure] = word[8] + 0
                 known[figure] = 1
-                if (word[5] == "crater" || word[5] == "materials") drawn[figure]++
             }
         }
         {
@@ -221,8 +221,7 @@ figures() {
                 figure = (row < 60 ? "clear" : "ozone") "," int(row / 15) % 4 "," sun[row % 15 + 1] "," column[c]
                 after = 1.4 * most[figure]
                 if (after < 0.001) after = 0.001
-                whole = drawn[figure] == 2 || column[c] == "gauss:12"
-                print figure "," $c + 0 "," (figure in known ? sprintf("%.2g", after) + 0 : "-") "," (whole ? "whole" : "part")
+                print figure "," $c + 0 "," (figure in known ? sprintf("%.2g", after) + 0 : "-")
             }
         }'
 }
@@ -239,13 +238,14 @@ compare() {
         END { if (n) printf "%d figures, remade over before: least %.2f, median %.2f, most %.2f\n", n, ratio[1], ratio[int((n + 1) / 2)], ratio[n] }'
 }
 
+# Writes the header. Its argument is 1 if only smaller figures are replaced.
 write() {
-    figures | awk -F, '
+    figures | awk -F, -v raise="$1" '
         BEGIN {
             split("up to 1 km|up to 20 km|up to the top of the air|above the air", name, "|")
         }
         {
-            figure = $6 == "-" || ($7 == "part" && $6 < $5) ? $5 : $6
+            figure = $6 == "-" || (raise && $6 < $5) ? $5 : $6
             if ($4 == "gauss:4") {
                 if ($2 != place || $1 != air) {
                     if (air != "") print "        },"
@@ -268,10 +268,12 @@ write() {
 }
 
 case $step in
-measure | compare | write) "$step" ;;
+measure | compare) "$step" ;;
+replace) write 0 ;;
+raise) write 1 ;;
 all)
     measure
-    write
+    write 0
     ;;
 *) echo "tools/bias.sh: unknown step '$step'" >&2; exit 2 ;;
 esac
