@@ -126,16 +126,20 @@ check_constants() {
         $(git ls-files 'src/*.[ch]' 'src/*.[ch]pp' 'glsl/*.glsl' ':!src/base' ':!glsl/math')
 }
 
+# The names of a family's methods: methods --light.
+methods() { build/magichour info | awk -v family="$1" '/^[^ ]/ { listed = $1 == family; next } listed { print $1 }'; }
+
 # Every program of each scene, with each method, through the reference compiler: a driver accepts more than the language has.
 # Programs that are made more than once are compiled once.
 check_glslang() {
     make -s all >/dev/null
+    lights=$(methods --light) sequences=$(methods --sequence)
     for scene in scenes/*.glsl; do
         for sky in table gauss:4 gauss:12 paper uniform; do echo "$scene --sky $sky"; done
         echo "$scene --sun-disk=chance"
         for sky in table gauss paper; do echo "$scene --sky $sky --atmosphere earth"; done
-        for light in control mis paper cosine; do
-            for sequence in sobol additive random; do
+        for light in $lights; do
+            for sequence in $sequences; do
                 echo "$scene --light $light --sequence $sequence"
                 echo "$scene --light $light --sequence $sequence --sun-disk"
             done
