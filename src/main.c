@@ -1,6 +1,7 @@
 #include "base/version.h"
 #include "cmd/cmd.h"
 #include "cmd/help.h"
+#include "cmd/options_parse.h"
 #include "cmd/terminal.h"
 
 #include <stdio.h>

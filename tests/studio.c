@@ -2,6 +2,7 @@
 
 #include "support.h"
 
+#include "cmd/options_parse.h"
 #include "cmd/setup.h"
 
 #include <stdio.h>

@@ -3,6 +3,7 @@
 
 #include "cmd/help.h"
 #include "cmd/option_table.h"
+#include "cmd/options_parse.h"
 
 #include <math.h>
 #include <stdio.h>

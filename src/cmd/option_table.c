@@ -1,7 +1,5 @@
 #include "cmd/option_table.h"
 
-#include "cmd/option_values.h"
-
 const CommandRow command_table[] = {
     {COMMAND_RENDER, "render", "render SCENE -o FILE [options]", "render a scene offscreen", 1, 1},
     {COMMAND_VIEW, "view", "view SCENE [options]", "a window: move the sun and the camera, edit the scene", 1,

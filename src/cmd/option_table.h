@@ -1,7 +1,7 @@
 /* The one table of commands and options, which parsing, help and the manual page are made from. */
 #pragma once
 
-#include "cmd/options.h"
+#include "cmd/option_values.h"
 
 typedef struct CommandRow {
     Command command;
@@ -30,8 +30,6 @@ typedef enum OptionKind {
     /* It keeps the word after its "=", or "auto" where there is none. */
     OPTION_OPTIONAL
 } OptionKind;
-
-typedef bool OptionTake(Options *options, const char *name, const char *value, Error *error);
 
 typedef struct OptionRow {
     OptionGroup group;

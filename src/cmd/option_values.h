@@ -2,7 +2,9 @@
  * STATUS_USAGE with the option's name in front. */
 #pragma once
 
-#include "cmd/option_table.h"
+#include "cmd/options.h"
+
+typedef bool OptionTake(Options *options, const char *name, const char *value, Error *error);
 
 OptionTake take_output, take_setting, take_size, take_sun, take_samples, take_seed, take_depth, take_seconds,
     take_error, take_exposure, take_max_relrmse, take_max_bias, take_tone, take_progress;

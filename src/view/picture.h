@@ -6,7 +6,7 @@
 #include "view/pane.h"
 #include "view/save.h"
 #include "view/toy.h"
-#include "view/view.h"
+#include "view/view_params.h"
 #include "view/watch.h"
 
 typedef struct Picture {

@@ -1,0 +1,30 @@
+/* What the window is opened with. */
+#pragma once
+
+#include "view/state.h"
+
+#include <stdint.h>
+
+typedef struct ViewParams {
+    /* Reads the scene's file with the command line's settings over it: at the start, and after each edit. */
+    bool (*load)(const void *data, Scene *scene, Error *error);
+    const void *data;
+    /* The scene's file. */
+    const char *path;
+    /* The folder of the GLSL library. */
+    const char *library;
+    /* The same folder if the command line names it, for the command in the metadata of saved pictures.
+     * Otherwise NULL. */
+    const char *glsl_dir;
+    /* The methods of the left side. The right side begins with cosine and random. */
+    MethodNames methods;
+    /* 0 means the scene's size. */
+    int width, height;
+    unsigned seed;
+    int max_hits;
+    /* A picture is done after this number of samples of each pixel. 0 means a large number. */
+    uint64_t samples;
+    /* The folder for the frames of a day, which is played once. NULL means that nothing is recorded. */
+    const char *record;
+    bool (*stop)(void);
+} ViewParams;
