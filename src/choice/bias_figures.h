@@ -5,9 +5,10 @@
  * 32 columns.
  *
  * Most figures are older than the script, and their observers, suns and directions are known in outline only.
- * Of those for observers up to 1 km without ozone it remade 12 with all that it measures: at the suns 15, 2
- * and 0 they are 0.91 to 1.14 times these, and at -4 they are 0.62 to 0.73 times these, which nothing
- * explains. The figures up to 20 km were raised by it where an observer at 1.1 km saw larger errors. */
+ * Of those for observers up to 1 km without ozone it remade 12, with pictures for an observer at 1 m: at the
+ * suns 15, 2 and 0 they are 0.91 to 1.14 times these, and at -4 they are 0.62 to 0.73 times these, which
+ * nothing explains. The figures up to 20 km were raised by it where an observer at 1.1 km saw larger errors.
+ */
 #pragma once
 
 enum { BIAS_AIRS = 2, BIAS_PLACES = 4, BIAS_SUNS = 15, BIAS_COLUMNS = 11 };
