@@ -6,8 +6,8 @@
 #include "base/memory.h"
 #include "chart/ledger.h"
 #include "chart/pareto.h"
-#include "chart/plot.h"
 #include "chart/plot_axis.h"
+#include "chart/plot_write.h"
 #include "chart/reference.h"
 #include "chart/slope.h"
 

@@ -1,5 +1,6 @@
 #include "base/memory.h"
 #include "chart/chart_paths.h"
+#include "chart/plot_write.h"
 #include "choice/method.h"
 
 #include <math.h>

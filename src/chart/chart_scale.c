@@ -3,7 +3,7 @@
 #include "chart/field.h"
 #include "chart/identity.h"
 #include "chart/ledger.h"
-#include "chart/plot.h"
+#include "chart/plot_write.h"
 #include "chart/slope.h"
 
 #include "base/clock.h"

@@ -5,7 +5,7 @@
 #include "base/vec3.h"
 #include "chart/identity.h"
 #include "chart/ledger.h"
-#include "chart/plot.h"
+#include "chart/plot_write.h"
 #include "sky/sky_probe.h"
 #include "sky/sky_reference.h"
 

@@ -58,7 +58,3 @@ PlotSeries *plot_add_series(PlotPanel *panel, int color, PlotMarker marker, Plot
 /* Adds a point. It is dropped if there is no room. */
 void plot_add_point(PlotSeries *series, double x, double y);
 void plot_add_note(PlotPanel *panel, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-/* Writes PATH.svg and PATH.png, and replaces files that exist. A plot is 800 units wide; the PNG has two
- * pixels a unit. Fails with STATUS_OUTPUT. */
-MUST_CHECK bool plot_write(const Plot *plot, const char *path, Error *error);
