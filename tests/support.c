@@ -111,7 +111,7 @@ void support_evaluate(const Context *context, const char *glsl, const float *inp
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textures[0], 0);
     gl->Viewport(0, 0, width, height);
     program_use(&program);
-    program_set_int(&program, "inputs", 0);
+    if (program_declares(&program, "inputs")) program_set_texture(&program, "inputs", textures[1]);
     program_draw(&program, 0, 0, width, height);
     gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
     gl->ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, results);

@@ -206,13 +206,10 @@ static void splat(Film *film, const Program *program, const float (*points)[3], 
     }
     program_use(program);
     GLuint textures[2];
-    gl->ActiveTexture(GL_TEXTURE0);
     textures[0] = texture_create(gl, 4, 4, GL_NEAREST, places[0]);
-    gl->ActiveTexture(GL_TEXTURE0 + 1);
     textures[1] = texture_create(gl, 4, 4, GL_NEAREST, lights[0]);
-    gl->ActiveTexture(GL_TEXTURE0);
-    program_set_int(program, "splat_places", 0);
-    program_set_int(program, "splat_lights", 1);
+    program_set_texture(program, "splat_places", textures[0]);
+    program_set_texture(program, "splat_lights", textures[1]);
     film_splat_begin(film, program);
     program_draw_points(program, count);
     film_splat_end(film, paths);

@@ -313,7 +313,7 @@ static void test_cuts_agree(void **state) {
     assert_true(scene_read(&scene, "scenes/crater.glsl", &error));
     RenderParams params = {.scene = &scene, .library = "glsl", .sky = "paper:8x2", .width = 48, .height = 40};
     if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
-    assert_int_equal(renderer.group_samples, 16);
+    assert_int_equal(renderer.plan.group_samples, 16);
     while (renderer.film.samples < 40) {
         assert_true(renderer_pass(&renderer, 40 - renderer.film.samples, NULL, &error));
     }
@@ -388,11 +388,11 @@ static void test_image_of_broken_scene(void **state) {
                                               "Material scene_material(Hit hit) { return matte(tint()); }\n");
     RenderParams params = read_sunward(&scene, path, 0);
     if (!renderer_create(&other, &context, &params, &error)) fail_msg("%s", error.text);
-    assert_true(other.sun.rectangle_count > 0);
+    assert_true(other.image.count > 0);
     Image expected = take_picture(&other);
     scene_set_sun(&scene, scene.values.sun.elevation_deg, 180);
     if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
-    assert_int_equal(renderer.sun.rectangle_count, 0);
+    assert_int_equal(renderer.image.count, 0);
     scene_set_sun(&scene, scene.values.sun.elevation_deg, 0);
     support_write("tint.glsl", "vec3 tint() { return vec3(0.5, ); }\n");
     if (!renderer_restart(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
@@ -415,7 +415,7 @@ static void test_refused_restart(void **state) {
     Error error;
     support_open(&context);
     const char *path = support_write("clash.glsl", SUNWARD
-                                     "bool sun_image_open(Ray ray) { return true; }\n"
+                                     "vec3 sun_image_direct(vec2 pixel, vec2 u) { return vec3(0.0); }\n"
                                      "Material scene_material(Hit hit) { return matte(vec3(0.5)); }\n");
     RenderParams params = read_sunward(&scene, path, 180);
     if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);

@@ -208,7 +208,7 @@ static void test_fills(void **state) {
         if (step == 4) sky.atmosphere.observer_height_m = 50;
         if (step == 5) sky.atmosphere.mie_scatter_per_m[1] = 1e-5;
         assert_true(sky_probe_ask(&probe, &sky, direction, 1, radiance, &error));
-        assert_int_equal(probe.sky.fills, expected[step]);
+        assert_int_equal(resources_find(&probe.tables, &sky_table)->fills, expected[step]);
     }
     sky_probe_destroy(&probe);
     context_close(&context);

@@ -2,6 +2,7 @@
 #include "support.h"
 
 #include "render/aov.h"
+#include "render/spheres.h"
 #include "scene/sphere_file.h"
 #include "scene/sphere_tree.h"
 
@@ -354,25 +355,33 @@ static void test_fill(void **state) {
     (void)state;
     Context context;
     Scene read;
-    Spheres spheres;
+    Renderer renderer;
     Error error;
     support_open(&context);
     if (!scene_read(&read, scene("fill.glsl", "//@ spheres many", together, made), &error))
         fail_msg("%s", error.text);
-    if (!spheres_create(&spheres, &context, "glsl", &read, &error)) fail_msg("%s", error.text);
-    int entries = spheres.entries;
+    RenderParams params = {.scene = &read, .library = "glsl", .width = 8, .height = 8};
+    if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
+    Resource *table = resources_find(&renderer.tables, &scene_spheres);
+    int entries = table->entries;
     assert_true(entries >= 60 - 9);
-    assert_true(scene_set(&read, "many", "5000", &error) && spheres_fill(&spheres, &read, &error));
-    assert_true(spheres.entries > 50 * entries);
-    spheres.max_texture_size = 4096;
-    assert_true(scene_set(&read, "many", "3000", &error) && spheres_fill(&spheres, &read, &error));
-    spheres.max_texture_size = 20;
-    assert_false(spheres_fill(&spheres, &read, &error));
+    assert_true(scene_set(&read, "many", "5000", &error));
+    assert_true(renderer_restart(&renderer, &context, &params, &error));
+    assert_true(table->entries > 50 * entries);
+    table->max_texture_size = 4096;
+    assert_true(scene_set(&read, "many", "3000", &error));
+    assert_true(renderer_restart(&renderer, &context, &params, &error));
+    int of_3000 = table->entries;
+    table->max_texture_size = 20;
+    assert_true(scene_set(&read, "many", "2900", &error));
+    assert_false(renderer_restart(&renderer, &context, &params, &error));
     assert_non_null(strstr(error.text, "fill.glsl:1: too many spheres: they need a texture of 4096x"));
-    spheres.max_texture_size = context.max_texture_size;
-    assert_true(scene_set(&read, "many", "60", &error) && spheres_fill(&spheres, &read, &error));
-    assert_int_equal(spheres.entries, entries);
-    spheres_destroy(&spheres);
+    assert_int_equal(table->entries, of_3000);
+    table->max_texture_size = context.max_texture_size;
+    assert_true(scene_set(&read, "many", "60", &error));
+    assert_true(renderer_restart(&renderer, &context, &params, &error));
+    assert_int_equal(table->entries, entries);
+    renderer_destroy(&renderer);
     scene_destroy(&read);
     context_close(&context);
 }

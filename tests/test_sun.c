@@ -288,9 +288,13 @@ static const char sampler_shader[] =
     "    uvec3 h = hash_3(uvec3(uvec2(t), 5u));\n"
     "    vec3 d = sky_sample(vec2(unit_float(h.x), unit_float(h.y)));\n"
     "    if (drawn == 0) d = sky_cell_sample(sky_cells(), t, vec2(0.5), 1.0);\n"
-    "    result = vec4(drawn == 0 ? d.y : dot(d.xz, sky_cells_level.xz) * inversesqrt(dot(d.xz, d.xz)), d.y, "
+    "    result = vec4(drawn == 0 ? d.y : dot(d.xz, sun_level.xz) * inversesqrt(dot(d.xz, d.xz)), d.y, "
     "sky_pdf(d),\n"
     "                  drawn == 0 ? sky_cell_solid_angle(sky_cells(), t.y) : dot(d, d));\n}";
+
+static bool make_text(const void *slots, const char *entry, GlslSource *source, Error *error) {
+    return glsl_source_create(source, "glsl", entry, ((const SlotList *)slots)->slots, error);
+}
 
 /* Directions drawn from the sky against their density: it sums to 1, and a chi-square over groups of cells.
  */
@@ -298,34 +302,41 @@ static void test_sky_sampler(void **state) {
     (void)state;
     static const double suns[] = {90, 60, 30, 10, 5, 2, 0, -2, -4, -6};
     Context context;
-    Sky sky;
-    SkyPatches patches;
-    SkySampler sampler;
-    MethodChoice choice;
+    static const ResourceKind *const kinds[] = {&sky_table, &sky_patches, &sky_sampler, NULL};
+    Resources tables;
+    SlotList slots = {0};
+    MethodChoice choice, light;
     Program program;
     GlslSource source;
     Error error;
     Atmosphere atmosphere = atmosphere_preset(0)->atmosphere;
-    const GlslSlot none[1] = {{0}};
     GLuint target, framebuffer;
     support_open(&context);
     const GlApi *gl = &context.gl;
     const char *path = support_write("sampler.glsl", sampler_shader);
     assert_true(method_choose(&choice, METHOD_SKY, "table", &error) &&
-                sky_create(&sky, &context, "glsl", &choice, &atmosphere, &error) &&
-                sky_patches_create(&patches, &context, "glsl", &choice, &atmosphere, &error) &&
-                sky_sampler_create(&sampler, &context, &error) &&
-                glsl_source_create(&source, "glsl", path, none, &error));
+                method_choose(&light, METHOD_LIGHT, "mis", &error));
+    sky_slots(&slots, &choice, &atmosphere);
+    Frame frame = {.state = {atmosphere, sun_at(0, 0, 0.2666)}, .sky = &choice, .light = &light};
+    ResourceTexts texts = {make_text, &slots};
+    assert_true(resources_create(&tables, &context, kinds, &frame, &texts, &error) &&
+                glsl_source_create(&source, "glsl", path, slots.slots, &error));
     if (!program_create(&program, gl, &source, &error)) fail_msg("%s", error.text);
     glsl_source_destroy(&source);
     gl->GenFramebuffers(1, &framebuffer);
     target = texture_create(gl, SIDE, SIDE, GL_NEAREST, NULL);
     for (int k = 0; k < 20; k++) {
         enum { COLUMNS = 16, ROWS = 24, GROUPS = COLUMNS * ROWS };
-        SkyState sun = {atmosphere, sun_at(suns[k / 2], k % 2 ? 137 : 0, 0.2666)};
+        Uniforms uniforms = {0};
         double expected[GROUPS] = {0}, sum = 0, chi2 = 0, horizon = sky_horizon_sine(&atmosphere);
         int counts[GROUPS] = {0}, freedom = -1;
-        assert_true(sky_sampler_use(&sampler, &patches, &sky, &program, &sun, &error));
+        frame.state.sun = sun_at(suns[k / 2], k % 2 ? 137 : 0, 0.2666);
+        sky_uniforms(&frame, &uniforms);
+        assert_true(resources_prepare(&tables, &frame, &uniforms, &error));
+        program_use(&program);
+        program_set(&program, &uniforms);
+        resources_give(&tables, &program);
+        uniforms_free(&uniforms);
         for (int drawn = 0; drawn < 2; drawn++) {
             gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
             gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
@@ -358,15 +369,14 @@ static void test_sky_sampler(void **state) {
         }
         double deviations = (chi2 - freedom) / sqrt(2.0 * freedom);
         if (fabs(sum - 1) > 1e-4 || fabs(deviations) > 4)
-            fail_msg("sun %g,%g: density sums to %.6f; chi-square %.1f deviations off", sun.sun.elevation_deg,
-                     sun.sun.azimuth_deg, sum, deviations);
+            fail_msg("sun %g,%g: density sums to %.6f; chi-square %.1f deviations off",
+                     frame.state.sun.elevation_deg, frame.state.sun.azimuth_deg, sum, deviations);
     }
     gl->DeleteFramebuffers(1, &framebuffer);
     gl->DeleteTextures(1, &target);
     program_destroy(&program);
-    sky_sampler_destroy(&sampler);
-    sky_patches_destroy(&patches);
-    sky_destroy(&sky);
+    resources_destroy(&tables);
+    slot_list_free(&slots);
     context_close(&context);
 }
 

@@ -1,6 +1,6 @@
 // What the host says of the atmosphere, for the sky methods that ask.
+#include "pass/sun.glsl"
 #include "sky/atmosphere.glsl"
 
 uniform Atmosphere atmosphere;
 uniform float observer_height_m;
-uniform vec3 sun_direction; // toward the sun

@@ -7,6 +7,7 @@
 #include "pass/spheres.glsl"
 
 uniform int fill_count;
+uniform int fill_columns; // of the texture
 
 layout(location = 0) out vec4 fill_sphere;
 
@@ -14,6 +15,6 @@ vec4 scene_sphere(int i);
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
-    int i = texel.y * 1024 + texel.x;
+    int i = texel.y * fill_columns + texel.x;
     fill_sphere = i < fill_count ? scene_sphere(i) : vec4(0.0);
 }

@@ -1,12 +1,8 @@
 #version 330 core
 // Fills the sky's table by a direct method: texel centres on the edges of the unit square.
 #include <sums>
+#include "pass/sky_table_size.glsl"
 #include "sky/table.glsl"
-
-uniform vec3 sky_table_size;
-uniform float sky_horizon;
-uniform float sky_limb;
-uniform vec3 sun_level;
 
 layout(location = 0) out vec4 rayleigh;
 layout(location = 1) out vec4 mie;

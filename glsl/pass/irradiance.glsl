@@ -1,12 +1,12 @@
 // The unblocked sky's irradiance over pi on a surface that faces `normal`, looked up.
 #include "light/irradiance.glsl"
+#include "pass/sun.glsl"
 
 uniform sampler2D irradiance_table;
 uniform vec3 irradiance_size;
-uniform vec3 irradiance_level; // toward the sun's azimuth
 
 vec3 sky_irradiance_over_pi(vec3 normal) {
-    vec2 position = irradiance_position(normal, irradiance_level);
+    vec2 position = irradiance_position(normal, sun_level);
     vec2 size = vec2(irradiance_size.x, irradiance_size.y);
     return texture(irradiance_table, (position * (size - 1.0) + 0.5) / size).rgb;
 }

@@ -1,15 +1,15 @@
 // Directions in proportion to the sky's luminance, above the level. The sky's cells are cut into bins of the same
 // probability, in the order of Hilbert's curve over the sky, so that numbers spread evenly make directions spread evenly.
 #include "light/sky_cells.glsl"
+#include "pass/sun.glsl"
 
 uniform sampler2D sky_bins;       // by bin: its cell, that cell's first bin, how many it has
 uniform sampler2D sky_cell_share; // by cell: its share of the bins
 uniform vec3 sky_cells_count;
 uniform float sky_cells_horizon;
-uniform vec3 sky_cells_level;
 
 SkyCells sky_cells() {
-    return SkyCells(sky_cells_count, sky_cells_horizon, sky_cells_level);
+    return SkyCells(sky_cells_count, sky_cells_horizon, sun_level);
 }
 
 // u.x chooses the side of the sun, the bin and the azimuth in its cell; u.y the elevation in it.

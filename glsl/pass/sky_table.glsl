@@ -1,13 +1,10 @@
 // --sky table: the sums looked up, the phases applied. Above the horizon lies in the textures' first half of rows.
 #include "pass/atmosphere.glsl"
+#include "pass/sky_table_size.glsl"
 #include "sky/table.glsl"
 
 uniform sampler2D sky_table_rayleigh;
 uniform sampler2D sky_table_mie;
-uniform vec3 sky_table_size; // texels across, and along in each half
-uniform float sky_horizon;
-uniform float sky_limb;
-uniform vec3 sun_level;
 
 vec3 sky_radiance(vec3 direction) {
     vec3 position = table_position(sky_horizon, sky_limb, direction, sun_level);

@@ -28,12 +28,26 @@ static void print_name(Json *json, const char *name) {
     text_print(&json->line, ": ");
 }
 
+static void print_number(Text *line, double value) {
+    if (isfinite(value))
+        text_print(line, "%.9g", value);
+    else
+        text_print(line, "null");
+}
+
 void json_number(Json *json, const char *name, double value) {
     print_name(json, name);
-    if (isfinite(value))
-        text_print(&json->line, "%.9g", value);
-    else
-        text_print(&json->line, "null");
+    print_number(&json->line, value);
+}
+
+void json_numbers(Json *json, const char *name, const double *values, int count) {
+    print_name(json, name);
+    text_print(&json->line, "[");
+    for (int i = 0; i < count; i++) {
+        if (i) text_print(&json->line, ", ");
+        print_number(&json->line, values[i]);
+    }
+    text_print(&json->line, "]");
 }
 
 void json_seconds(Json *json, const char *name, double seconds) {

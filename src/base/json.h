@@ -24,6 +24,9 @@ void json_number(Json *json, const char *name, double value);
 /* Times, to the microsecond however long the clock has run. */
 void json_seconds(Json *json, const char *name, double seconds);
 
+/* An array of numbers, as json_number() writes them. */
+void json_numbers(Json *json, const char *name, const double *values, int count);
+
 void json_count(Json *json, const char *name, uint64_t count);
 void json_flag(Json *json, const char *name, bool value);
 

@@ -155,9 +155,7 @@ static bool time_curves(Paths *paths, const CurveLimits *limits, Error *error) {
             if (!curve->open || (round && curve->spent > share)) continue;
             monitor_report(&params->monitor, reference_share + timing_share * fmin(curve->spent / share, 1),
                            "timing in turns");
-            if (!renderer_use(&curve->renderer, params->picture.scene, error) ||
-                !curve_time(curve, &paths->reference, limits, &params->monitor, error))
-                return false;
+            if (!curve_time(curve, &paths->reference, limits, &params->monitor, error)) return false;
             timed = true;
         }
     }
@@ -174,9 +172,7 @@ static bool measure(Paths *paths, Error *error) {
     for (int i = 0; i < paths->count && !monitor_stopped(&params->monitor); i++) {
         Curve *curve = &paths->curves[i].curve;
         Monitor monitor = monitor_part(&params->monitor, before + each * i, before + each * (i + 1));
-        if (curve->open &&
-            (!renderer_use(&curve->renderer, params->picture.scene, error) ||
-             !curve_measure(curve, &paths->reference, &limits, &monitor, &paths->ledger, error)))
+        if (curve->open && !curve_measure(curve, &paths->reference, &limits, &monitor, &paths->ledger, error))
             return false;
         curve_close(curve);
     }

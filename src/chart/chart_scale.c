@@ -122,7 +122,6 @@ static bool time_once(Step *step, const Monitor *monitor, Error *error) {
  * of large ones. */
 static bool time_step(Step *step, const Monitor *monitor, Error *error) {
     double start = clock_seconds();
-    if (!renderer_use(&step->renderer, step->params.scene, error)) return false;
     do {
         if (!time_once(step, monitor, error)) return false;
     } while (!monitor_stopped(monitor) && clock_seconds() - start < turn_seconds);

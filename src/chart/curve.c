@@ -16,9 +16,9 @@ static const double first_goal_percent = 16;
 static void name(const Renderer *renderer, bool adaptive, LedgerRow *row) {
     *row = (LedgerRow){0};
     snprintf(row->words[3], sizeof row->words[3], "%s", adaptive ? "adaptive" : "even");
-    snprintf(row->words[0], sizeof row->words[0], "%s", renderer->sky.choice.text);
-    snprintf(row->words[1], sizeof row->words[1], "%s", renderer->light.text);
-    snprintf(row->words[2], sizeof row->words[2], "%s", renderer->sequence.text);
+    snprintf(row->words[0], sizeof row->words[0], "%s", renderer->plan.sky.text);
+    snprintf(row->words[1], sizeof row->words[1], "%s", renderer->plan.light.text);
+    snprintf(row->words[2], sizeof row->words[2], "%s", renderer->plan.sequence.text);
 }
 
 /* Says whether another point, with twice the samples, would be past the limits. */
@@ -44,7 +44,7 @@ bool curve_open(Curve *curve, const Combination *combination, const Context *con
     if (!renderer_create(&curve->renderer, context, &mine, error)) return false;
     curve->open = true;
     curve->adaptive = combination->adaptive;
-    curve->trimmed = curve->renderer.sun.rectangle_count > 0;
+    curve->trimmed = curve->renderer.image.count > 0;
     name(&curve->renderer, combination->adaptive, &curve->row);
     if (is_whole(ledger, &curve->row)) {
         curve_close(curve);

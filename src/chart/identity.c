@@ -65,7 +65,7 @@ void identity_of_machine(const Context *context, Text *out) {
 
 bool identity_add_shader(const RenderParams *params, uint64_t *hash, Error *error) {
     GlslSource source;
-    if (!renderer_flatten(params, &source, error)) return false;
+    if (!pass_trace_text(params, &source, error)) return false;
     *hash = hash_bytes(*hash, source.text.data, source.text.size);
     glsl_source_destroy(&source);
     return true;

@@ -54,8 +54,8 @@ static bool render_part(Maker *maker, Part *part, Image *half, Error *error) {
     params.seed = part->seed;
     params.samples = 0;
     if (!renderer_create(&renderer, maker->context, &params, error)) return false;
-    snprintf(maker->paths.light, sizeof maker->paths.light, "%s", renderer.light.text);
-    snprintf(maker->paths.sequence, sizeof maker->paths.sequence, "%s", renderer.sequence.text);
+    snprintf(maker->paths.light, sizeof maker->paths.light, "%s", renderer.plan.light.text);
+    snprintf(maker->paths.sequence, sizeof maker->paths.sequence, "%s", renderer.plan.sequence.text);
     uint64_t most = part->samples ? part->samples : UINT32_MAX;
     double start = clock_seconds();
     bool ok = true;

@@ -32,18 +32,18 @@ static bool time_pass(Stopwatch *monitor, Renderer *renderer, unsigned samples, 
 }
 
 bool stopwatch_group(Stopwatch *monitor, Renderer *renderer, Error *error) {
-    return time_pass(monitor, renderer, renderer->group_samples, error);
+    return time_pass(monitor, renderer, renderer->plan.group_samples, error);
 }
 
 bool stopwatch_sizes(Stopwatch *monitor, Renderer *renderer, Error *error) {
-    for (unsigned samples = 1; samples <= renderer->group_samples; samples *= 2) {
+    for (unsigned samples = 1; samples <= renderer->plan.group_samples; samples *= 2) {
         if (!time_pass(monitor, renderer, samples, error)) return false;
     }
     return true;
 }
 
 double stopwatch_seconds(const Stopwatch *monitor, const Renderer *renderer, uint64_t samples) {
-    uint64_t group = renderer->group_samples;
+    uint64_t group = renderer->plan.group_samples;
     if (samples <= group) return monitor->best[index_of(samples)];
     return monitor->best[index_of(group)] * (double)samples / (double)group;
 }

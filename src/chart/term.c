@@ -22,7 +22,7 @@ static TermState state_of(bool possible, bool on) {
 }
 
 static bool has_air(const Renderer *renderer) {
-    return renderer->sky.choice.method->integrates;
+    return renderer->plan.sky.method->integrates;
 }
 
 static TermState rayleigh_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
@@ -79,7 +79,7 @@ static void curvature_turn(const Term *term, Variation *variation, bool on) {
 }
 
 static bool has_disk(const Renderer *renderer) {
-    return renderer->sun_disk.method->has_disk;
+    return renderer->plan.sun.method->has_disk;
 }
 
 static TermState disk_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
@@ -128,7 +128,7 @@ static void hits_turn(const Term *term, Variation *variation, bool on) {
 /* The terms "more than N nodes". */
 static TermState nodes_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)params;
-    const MethodChoice *sky = &renderer->sky.choice;
+    const MethodChoice *sky = &renderer->plan.sky;
     return state_of(sky->method->numbers == NUMBERS_NODES, sky->nodes > term->number);
 }
 
@@ -141,7 +141,7 @@ static void nodes_turn(const Term *term, Variation *variation, bool on) {
 static TermState direct_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
     (void)params;
-    return state_of(has_air(renderer), !renderer->sky.choice.table);
+    return state_of(has_air(renderer), !renderer->plan.sky.table);
 }
 
 static void direct_turn(const Term *term, Variation *variation, bool on) {
@@ -151,8 +151,8 @@ static void direct_turn(const Term *term, Variation *variation, bool on) {
 
 static TermState control_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
-    return state_of(renderer->sky.choice.table && scene_hint_count(params->scene, HINT_BOUND) > 0,
-                    renderer->light.method->needs_irradiance);
+    return state_of(renderer->plan.sky.table && scene_hint_count(params->scene, HINT_BOUND) > 0,
+                    renderer->plan.light.method->needs_irradiance);
 }
 
 static void control_turn(const Term *term, Variation *variation, bool on) {
@@ -163,7 +163,7 @@ static void control_turn(const Term *term, Variation *variation, bool on) {
 static TermState sampling_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
     (void)params;
-    return state_of(true, renderer->light.method->needs_sky_sampler);
+    return state_of(true, renderer->plan.light.method->needs_sky_sampler);
 }
 
 static void sampling_turn(const Term *term, Variation *variation, bool on) {
@@ -174,7 +174,7 @@ static void sampling_turn(const Term *term, Variation *variation, bool on) {
 static TermState sequence_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
     (void)params;
-    return state_of(true, renderer->sequence.method->low_discrepancy);
+    return state_of(true, renderer->plan.sequence.method->low_discrepancy);
 }
 
 static void sequence_turn(const Term *term, Variation *variation, bool on) {

@@ -11,23 +11,23 @@ static const double timing_seconds = 0.5;
 /* The share of the pixels that is left out if the sun's image is in the picture. */
 static const double trimmed_share = 0.001;
 
-static bool render(Renderer *renderer, const Scene *scene, unsigned seed, unsigned samples,
-                   bool (*stop)(void), Image *image, Error *error) {
+static bool render(Renderer *renderer, const Context *context, const RenderParams *params, unsigned seed,
+                   unsigned samples, bool (*stop)(void), Image *image, Error *error) {
+    RenderParams seeded = *params;
     Film *film = &renderer->film;
     FilmCount count;
-    renderer->seed = seed;
-    film_reset(film);
-    if (!renderer_use(renderer, scene, error)) return false;
+    seeded.seed = seed;
+    if (!renderer_restart(renderer, context, &seeded, error)) return false;
     while (film->samples < samples && !(stop && stop())) {
         if (!renderer_pass(renderer, samples - film->samples, stop, error)) return false;
     }
     return film_read(film, image, &count, error);
 }
 
-static bool render_both(Renderer *renderer, const Scene *scene, unsigned samples, bool (*stop)(void),
-                        Image pictures[2], Error *error) {
-    return render(renderer, scene, FIRST_SEED, samples, stop, &pictures[0], error) &&
-           render(renderer, scene, FIRST_SEED + 1, samples, stop, &pictures[1], error);
+static bool render_both(Renderer *renderer, const Context *context, const RenderParams *params,
+                        unsigned samples, bool (*stop)(void), Image pictures[2], Error *error) {
+    return render(renderer, context, params, FIRST_SEED, samples, stop, &pictures[0], error) &&
+           render(renderer, context, params, FIRST_SEED + 1, samples, stop, &pictures[1], error);
 }
 
 bool worth_begin(WorthBase *base, const Context *context, const RenderParams *params, unsigned samples,
@@ -35,7 +35,7 @@ bool worth_begin(WorthBase *base, const Context *context, const RenderParams *pa
     *base = (WorthBase){.params = params, .context = context, .samples = samples};
     if (!renderer_create(&base->renderer, context, params, error)) return false;
     if (stopwatch_start(&base->stopwatch, &base->renderer, error) &&
-        render_both(&base->renderer, params->scene, samples, stop, base->pictures, error))
+        render_both(&base->renderer, context, params, samples, stop, base->pictures, error))
         return true;
     worth_end(base);
     return false;
@@ -118,16 +118,13 @@ static double noise_of(const Image pictures[2]) {
     return fmax(squares / (3 * (double)pixels), least * least);
 }
 
-static bool time_both(WorthBase *base, const Variation *variation, Renderer *renderer, Stopwatch *other,
-                      bool (*stop)(void), Error *error) {
-    if (!renderer_use(&base->renderer, base->params->scene, error) ||
-        !stopwatch_start(&base->stopwatch, &base->renderer, error))
-        return false;
+static bool time_both(WorthBase *base, Renderer *renderer, Stopwatch *other, bool (*stop)(void),
+                      Error *error) {
+    if (!stopwatch_start(&base->stopwatch, &base->renderer, error)) return false;
     for (int i = 0; i < ROUNDS || base->stopwatch.spent + other->spent < timing_seconds; i++) {
         if (stop && stop()) return true;
-        if (!renderer_use(&base->renderer, base->params->scene, error) ||
-            !stopwatch_group(&base->stopwatch, &base->renderer, error) ||
-            !renderer_use(renderer, &variation->scene, error) || !stopwatch_group(other, renderer, error))
+        if (!stopwatch_group(&base->stopwatch, &base->renderer, error) ||
+            !stopwatch_group(other, renderer, error))
             return false;
         if (i >= 1 && other->spent > 3 * timing_seconds) break;
     }
@@ -136,19 +133,21 @@ static bool time_both(WorthBase *base, const Variation *variation, Renderer *ren
 
 /* Returns the seconds of a sample, by the renderer's own group. */
 static double sample_seconds(const Stopwatch *stopwatch, const Renderer *renderer) {
-    return stopwatch_seconds(stopwatch, renderer, renderer->group_samples) / renderer->group_samples;
+    return stopwatch_seconds(stopwatch, renderer, renderer->plan.group_samples) /
+           renderer->plan.group_samples;
 }
 
 static bool compare(WorthBase *base, const Term *term, const Variation *variation, Renderer *renderer,
                     bool (*stop)(void), Worth *worth, Error *error) {
     Stopwatch other;
     Image pictures[2] = {{0}};
-    bool ok = stopwatch_start(&other, renderer, error) &&
-              render_both(renderer, &variation->scene, base->samples, stop, pictures, error) &&
-              time_both(base, variation, renderer, &other, stop, error);
+    bool ok =
+        stopwatch_start(&other, renderer, error) &&
+        render_both(renderer, base->context, &variation->params, base->samples, stop, pictures, error) &&
+        time_both(base, renderer, &other, stop, error);
     if (ok && !(stop && stop())) {
         bool on = worth->state == TERM_ON;
-        bool trim = base->renderer.sun.rectangle_count || renderer->sun.rectangle_count;
+        bool trim = base->renderer.image.count || renderer->image.count;
         double ratio = sample_seconds(&base->stopwatch, &base->renderer) / sample_seconds(&other, renderer);
         double noise = noise_of(base->pictures) / noise_of(pictures);
         worth->cost_percent = 100 * ((on ? ratio : 1 / ratio) - 1);
@@ -167,9 +166,9 @@ bool worth_of(WorthBase *base, const Term *term, bool (*stop)(void), Worth *wort
     Renderer renderer;
     /* The other methods stay as they are, because the choice of auto may depend on the term that is turned.
      */
-    if (base->renderer.sky.choice.method->integrates) variation->params.sky = base->renderer.sky.choice.text;
-    variation->params.light = base->renderer.light.text;
-    variation->params.sequence = base->renderer.sequence.text;
+    if (base->renderer.plan.sky.method->integrates) variation->params.sky = base->renderer.plan.sky.text;
+    variation->params.light = base->renderer.plan.light.text;
+    variation->params.sequence = base->renderer.plan.sequence.text;
     term->turn(term, variation, worth->state == TERM_OFF);
     bool ok = renderer_create(&renderer, base->context, &variation->params, error);
     if (ok) {

@@ -105,8 +105,9 @@ static void print_results(const Job *job) {
     const Renderer *renderer = &job->base.renderer;
     printf("%s, %dx%d, sun at %g, at an error of %g %%: sky %s, sun's disk %s, light %s, sequence %s\n\n%s",
            scene->file->title[0] ? scene->file->title : scene->file->path, renderer->film.width,
-           renderer->film.height, scene->values.sun.elevation_deg, job->percent, renderer->sky.choice.text,
-           renderer->sun_disk.text, renderer->light.text, renderer->sequence.text, text_string(&job->table));
+           renderer->film.height, scene->values.sun.elevation_deg, job->percent, renderer->plan.sky.text,
+           renderer->plan.sun.text, renderer->plan.light.text, renderer->plan.sequence.text,
+           text_string(&job->table));
 }
 
 Status cmd_explain(const Options *options, Error *error) {

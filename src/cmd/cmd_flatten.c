@@ -1,14 +1,36 @@
 #include "cmd/cmd.h"
+#include "cmd/pass_json.h"
 #include "cmd/setup.h"
-#include "render/renderer.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
+/* The tracing program alone, as it is compiled. */
+static bool print_trace(const Plan *plan, const RenderParams *params, Error *error) {
+    GlslSource source = {0};
+    bool ok = pass_text(&trace_pass, plan, params, &source, error);
+    if (ok) fwrite(source.text.data, 1, source.text.size, stdout);
+    glsl_source_destroy(&source);
+    return ok;
+}
+
+/* All programs in the order in which they are drawn, each behind a line with its name. */
+static bool print_all(const Plan *plan, const RenderParams *params, Error *error) {
+    PassList list = pass_list(plan, params);
+    for (int i = 0; i < list.count; i++) {
+        GlslSource source = {0};
+        if (!pass_text(&list.passes[i], plan, params, &source, error)) return false;
+        printf("// ==== %s\n", list.passes[i].name);
+        fwrite(source.text.data, 1, source.text.size, stdout);
+        glsl_source_destroy(&source);
+    }
+    return true;
+}
+
 Status cmd_flatten(const Options *options, Error *error) {
     char *library = NULL;
     Scene scene = {0};
-    GlslSource source = {0};
+    Plan plan;
     bool ok = setup_library(options, &library, error) && setup_scene(options, &scene, error);
     if (ok) {
         RenderParams params = {.scene = &scene,
@@ -17,10 +39,11 @@ Status cmd_flatten(const Options *options, Error *error) {
                                .light = options->light,
                                .sequence = options->sequence,
                                .sun_disk = options->sun_disk};
-        ok = renderer_flatten(&params, &source, error);
+        ok = plan_make(&plan, &params, NULL, error) &&
+             (options->json  ? pass_json_print(&plan, &params, stdout, error)
+              : options->all ? print_all(&plan, &params, error)
+                             : print_trace(&plan, &params, error));
     }
-    if (ok) fwrite(source.text.data, 1, source.text.size, stdout);
-    glsl_source_destroy(&source);
     scene_destroy(&scene);
     free(library);
     return ok ? STATUS_DONE : error->status;

@@ -128,7 +128,7 @@ static bool make_map(Job *job, int argc, char **argv, Error *error) {
         !open_probe(job, (double)width * height, error)) {
         return false;
     }
-    job->method = job->probe.sky.choice.text;
+    job->method = job->probe.choice.text;
     Image image = image_create(width, height);
     for (int i = 0; i < width * height; i++) {
         double direction[3];

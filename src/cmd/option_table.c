@@ -61,6 +61,11 @@ const OptionRow option_table[] = {
     {GROUP_OUTPUT, "--at", "FILE.csv", S, STRING(at),
      "radiances for rows height_m,sun_el_deg,view_el_deg,az_deg (azimuth from the sun's), as CSV", NULL},
     {GROUP_OUTPUT, "--charts", "LIST", H, STRING(charts), "some of paths,sky,scale; all by default", NULL},
+    {GROUP_OUTPUT, "--all", NULL, F, FLAG(all),
+     "every program of a picture, in the order in which they are drawn, each behind a line with its name",
+     NULL},
+    {GROUP_OUTPUT, "--json", NULL, F, FLAG(json),
+     "all of them as JSON lines, with the uniforms and the tables that each is given", NULL},
     {GROUP_OUTPUT, "--mask", "FILE", C, STRING(mask), "compare only where this picture's red is above 0.5",
      NULL},
 

@@ -66,6 +66,9 @@ typedef struct Options {
 
     bool quiet, verbose;
 
+    /* `flatten`: every program of a picture, as text or as JSON lines. */
+    bool all, json;
+
     /* Infinite where they were not given. */
     double max_relrmse_percent, max_bias_percent;
 

@@ -15,13 +15,14 @@ void render_say_choices(const RenderJob *job) {
     fprintf(stderr, "backend %s (%s): %s, OpenGL %s\n", job->context.backend->name, job->context.detail,
             job->context.renderer, job->context.version);
     fprintf(stderr, "sky %s, sun disk %s, light %s, sequence %s, at most %d hits, groups of %u samples\n",
-            renderer->sky.choice.text, renderer->sun_disk.text, renderer->light.text, renderer->sequence.text,
-            renderer->max_hits, renderer->group_samples);
-    say_why("sky", &renderer->sky.choice);
-    say_why("light", &renderer->light);
-    if (renderer->sky.choice.table) {
+            renderer->plan.sky.text, renderer->plan.sun.text, renderer->plan.light.text, renderer->plan.sequence.text,
+            renderer->plan.max_hits, renderer->plan.group_samples);
+    say_why("sky", &renderer->plan.sky);
+    say_why("light", &renderer->plan.light);
+    const Resource *table = resources_find(&renderer->tables, &sky_table);
+    if (table) {
         fprintf(stderr, "the sky's table: twice %dx%d directions, above the horizon and below\n",
-                renderer->sky.columns, renderer->sky.rows);
+                table->width, table->height / 2);
     }
     fprintf(stderr, "compiled: %s\n", text_string(&renderer->source_files));
 }
@@ -90,7 +91,7 @@ static void warn_chance(const RenderJob *job) {
                 "does not know light that no sample has found\n");
     }
     if (!chance_matters(chance)) return;
-    chance_throwers(chance, &job->renderer.needs, throwers, sizeof throwers);
+    chance_throwers(chance, &job->renderer.plan.needs, throwers, sizeof throwers);
     fprintf(stderr,
             "magichour: warning: %s: sunlight that is thrown by %s is found by chance: about %.2g %% of the "
             "picture's light, in %.2g %% of its pixels (%.2g %% of the paths). The estimated error does not "
@@ -102,7 +103,7 @@ void render_warn(const RenderJob *job) {
     if (job->variance_unknown) {
         fprintf(stderr,
                 "magichour: warning: --aov variance is not known from %u samples or fewer: there it is NaN\n",
-                job->renderer.group_samples);
+                job->renderer.plan.group_samples);
     }
     if (job->figures.rejected) {
         fprintf(stderr,

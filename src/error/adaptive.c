@@ -168,7 +168,8 @@ static bool double_tiles(Adaptive *adaptive, Renderer *renderer, bool (*stop)(vo
     /* `stop` is called here too, because a few small tiles are drawn in one piece. */
     while ((fewest = fewest_wanted(adaptive)) < UINT64_MAX && clock_seconds() < adaptive->deadline &&
            !(stop && stop())) {
-        unsigned group = fewest < renderer->group_samples ? (unsigned)fewest : renderer->group_samples;
+        unsigned group =
+            fewest < renderer->plan.group_samples ? (unsigned)fewest : renderer->plan.group_samples;
         bool stopped;
         int count = make_regions(adaptive, 1, UINT64_MAX);
         if (!renderer_refine(renderer, adaptive->regions, count, group, stop, &stopped, error)) return false;

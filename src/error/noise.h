@@ -16,6 +16,8 @@
  * doubled. Between measurements V ~ 1/n is assumed. */
 #pragma once
 
+#include <stdint.h>
+
 #include "gl/camera.h"
 #include "image/image.h"
 

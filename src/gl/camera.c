@@ -29,13 +29,14 @@ Camera camera_of(const Scene *scene, int width, int height) {
     return camera;
 }
 
-void camera_set(const Camera *camera, const Program *program) {
+void camera_uniforms(const Camera *camera, Uniforms *uniforms) {
     double size[3] = {camera->width, camera->height, 0};
-    program_set_vec3(program, "camera_eye", camera->eye);
-    program_set_vec3(program, "camera_forward", camera->forward);
-    program_set_vec3(program, "camera_right", camera->right);
-    program_set_vec3(program, "camera_up", camera->up);
-    program_set_vec3(program, "picture_size", size);
+    uniforms_declared_in(uniforms, "pass/camera.glsl");
+    uniforms_vec3(uniforms, "camera_eye", camera->eye);
+    uniforms_vec3(uniforms, "camera_forward", camera->forward);
+    uniforms_vec3(uniforms, "camera_right", camera->right);
+    uniforms_vec3(uniforms, "camera_up", camera->up);
+    uniforms_vec3(uniforms, "picture_size", size);
 }
 
 bool camera_project(const Camera *camera, const double direction[3], double out[2]) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/rectangle.h"
-#include "gl/program.h"
+#include "gl/uniforms.h"
 #include "scene/scene.h"
 
 typedef struct Camera {
@@ -15,8 +15,8 @@ typedef struct Camera {
 
 Camera camera_of(const Scene *scene, int width, int height);
 
-/* Sets the camera's uniforms in `program`, which must be in use. */
-void camera_set(const Camera *camera, const Program *program);
+/* What pass/camera.glsl is told. */
+void camera_uniforms(const Camera *camera, Uniforms *uniforms);
 
 /* Sets `out` to the place of a direction in the picture, in pixels from the top left corner. Returns false if
  * the direction is behind the camera. */

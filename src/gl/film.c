@@ -61,8 +61,7 @@ void film_reset(Film *film) {
 void film_begin(Film *film, const Program *program) {
     static const char *const names[] = {"film_sum", "film_rest", "film_scatter_sum", "film_search_sum",
                                         "film_chance_sum"};
-    static const int units[] = {0, 1, 9, 12, 13}; /* those between are the other textures' of the pass */
-    target_begin(&film->target, program, names, units);
+    target_begin(&film->target, program, names);
     program_set_uint(program, "film_zero", 0);
 }
 

@@ -35,6 +35,7 @@
     X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                                                             \
     X(PFNGLGENTEXTURESPROC, GenTextures)                                                                     \
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                             \
+    X(PFNGLGETACTIVEUNIFORMPROC, GetActiveUniform)                                                           \
     X(PFNGLGETERRORPROC, GetError)                                                                           \
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                                     \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                                         \

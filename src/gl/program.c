@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "gl/program_table.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -78,7 +79,10 @@ static bool create(Program *program, const GlApi *gl, const char *vertex, const 
     }
     if (vertex_shader) gl->DeleteShader(vertex_shader);
     if (fragment_shader) gl->DeleteShader(fragment_shader);
-    if (!linked) {
+    if (linked) {
+        gl->UseProgram(program->id);
+        program->table = program_table_create(gl, program->id, fragment);
+    } else {
         glsl_source_explain(fragment, text_string(&log), error);
         program_destroy(program);
     }
@@ -96,6 +100,7 @@ bool program_create_points(Program *program, const GlApi *gl, const GlslSource *
 
 void program_destroy(Program *program) {
     if (program->id) program->gl->DeleteProgram(program->id);
+    program_table_destroy(program->table);
     *program = (Program){0};
 }
 
@@ -103,8 +108,24 @@ void program_use(const Program *program) {
     program->gl->UseProgram(program->id);
 }
 
+/* Puts the textures that the program was given on their units. */
+static void bind_textures(const Program *program) {
+    const GlApi *gl = program->gl;
+    for (int i = 0; i < program->table->count; i++) {
+        const ProgramUniform *sampler = &program->table->uniforms[i];
+        if (sampler->unit < 0 || !sampler->set) continue;
+        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)sampler->unit);
+        gl->BindTexture(GL_TEXTURE_2D, sampler->texture);
+    }
+    gl->ActiveTexture(GL_TEXTURE0);
+}
+
+/* Where to set it; -1, which OpenGL passes over, where the compiler dropped it. */
 static GLint locate(const Program *program, const char *name) {
-    return program->gl->GetUniformLocation(program->id, name);
+    ProgramUniform *uniform = program_table_find(program->table, name);
+    if (!uniform) return -1;
+    uniform->set = true;
+    return strchr(name, '[') ? program->gl->GetUniformLocation(program->id, name) : uniform->location;
 }
 
 void program_set_float(const Program *program, const char *name, double value) {
@@ -119,7 +140,7 @@ void program_set_uint(const Program *program, const char *name, unsigned value) 
     program->gl->Uniform1ui(locate(program, name), value);
 }
 
-void program_set_floats(const Program *program, const char *name, const double *values, int count) {
+static void set_floats(const Program *program, const char *name, const double *values, int count) {
     float *floats = memory_get((size_t)count, sizeof *floats);
     for (int i = 0; i < count; i++) floats[i] = (float)values[i];
     program->gl->Uniform1fv(locate(program, name), count, floats);
@@ -135,7 +156,68 @@ void program_set_vec4(const Program *program, const char *name, const double val
                            (float)value[3]);
 }
 
+static void set_one(const Program *program, const Uniform *uniform) {
+    switch (uniform->type) {
+    case UNIFORM_FLOAT:
+        program_set_float(program, uniform->name, uniform->values[0]);
+        break;
+    case UNIFORM_INT:
+        program_set_int(program, uniform->name, (int)uniform->values[0]);
+        break;
+    case UNIFORM_UINT:
+        program_set_uint(program, uniform->name, (unsigned)uniform->values[0]);
+        break;
+    case UNIFORM_VEC3:
+        program_set_vec3(program, uniform->name, uniform->values);
+        break;
+    case UNIFORM_VEC4:
+        program_set_vec4(program, uniform->name, uniform->values);
+        break;
+    case UNIFORM_FLOATS:
+        set_floats(program, uniform->name, uniform->many, uniform->count);
+        break;
+    }
+}
+
+void program_set(const Program *program, const Uniforms *uniforms) {
+    for (int i = 0; i < uniforms->count; i++) {
+        const Uniform *uniform = &uniforms->items[i];
+        bool taken = uniform->file ? program_table_includes(program->table, uniform->file)
+                                   : program_table_declares(program->table, uniform->name);
+        if (taken) set_one(program, uniform);
+    }
+}
+
+bool program_declares(const Program *program, const char *name) {
+    return program_table_declares(program->table, name);
+}
+
+void program_set_texture(const Program *program, const char *name, GLuint texture) {
+    ProgramUniform *sampler = program_table_find(program->table, name);
+    if (!sampler) return;
+    sampler->set = true;
+    sampler->texture = texture;
+}
+
+bool program_check(const Program *program, Error *error) {
+    const ProgramTable *table = program->table;
+    const char *files = text_string(&table->files) + 1;
+    int entry = (int)strcspn(files, "\n");
+    if (table->unknown[0]) {
+        return error_set(error, STATUS_FAILURE, "%.*s: the host sets the uniform '%s', which is not declared",
+                         entry, files, table->unknown);
+    }
+    for (int i = 0; i < table->count; i++) {
+        const ProgramUniform *uniform = &table->uniforms[i];
+        if (!uniform->owed || uniform->set) continue;
+        return error_set(error, STATUS_FAILURE, "%.*s: the host does not set the uniform '%s'", entry, files,
+                         uniform->name);
+    }
+    return true;
+}
+
 void program_draw(const Program *program, int x, int y, int width, int height) {
+    bind_textures(program);
     program->gl->Enable(GL_SCISSOR_TEST);
     program->gl->Scissor(x, y, width, height);
     program->gl->DrawArrays(GL_TRIANGLES, 0, 3);
@@ -143,5 +225,6 @@ void program_draw(const Program *program, int x, int y, int width, int height) {
 }
 
 void program_draw_points(const Program *program, int count) {
+    bind_textures(program);
     program->gl->DrawArrays(GL_POINTS, 0, count);
 }

@@ -1,12 +1,17 @@
-/* A fragment program drawn on one full-screen triangle. */
+/* A fragment program drawn on one full-screen triangle, or on points. It knows which uniforms its text
+ * declares, gives each of its samplers a texture unit, and binds its own textures whenever it draws, so that
+ * programs do not disturb each other. */
 #pragma once
 
 #include "gl/context.h"
+#include "gl/uniforms.h"
 #include "scene/glsl_source.h"
 
 typedef struct Program {
     const GlApi *gl;
     GLuint id;
+    /* What it declares and was given so far. */
+    struct ProgramTable *table;
 } Program;
 
 /* Compiles and links. GLSL errors come back as STATUS_SCENE with "file:line: the driver's words", the first
@@ -21,17 +26,32 @@ void program_destroy(Program *program);
 MUST_CHECK bool program_create_points(Program *program, const GlApi *gl, const GlslSource *fragment,
                                       Error *error);
 
+/* Makes it the program in use. */
 void program_use(const Program *program);
 
-/* Set a uniform of the program in use. A name that the compiler dropped, or that never was, is no error: a
- * pass offers what it has, a shader takes what it needs. */
+/* Set a uniform of the program in use. The text must declare the name; what it declares and the compiler
+ * dropped is passed over. program_check() tells of a name that the text does not declare. */
 void program_set_float(const Program *program, const char *name, double value);
 void program_set_int(const Program *program, const char *name, int value);
 void program_set_uint(const Program *program, const char *name, unsigned value);
-void program_set_floats(const Program *program, const char *name, const double *values,
-                        int count); /* float name[count] */
 void program_set_vec3(const Program *program, const char *name, const double value[3]);
 void program_set_vec4(const Program *program, const char *name, const double value[4]);
+
+/* Sets the uniforms of a list whose files the program is made of; the others are not its business. It must be
+ * in use. */
+void program_set(const Program *program, const Uniforms *uniforms);
+
+/* Whether its text declares a uniform of that name. */
+bool program_declares(const Program *program, const char *name);
+
+/* Gives a sampler its texture, for as long as it is given no other. The texture must still be there when the
+ * program draws. */
+void program_set_texture(const Program *program, const char *name, GLuint texture);
+
+/* Whether the host and the text agree: every uniform that was set is declared, and every one that the
+ * library's pass/ files declare and the compiler kept was set. STATUS_FAILURE names the first that is not, a
+ * mistake in this program and not in a scene. */
+MUST_CHECK bool program_check(const Program *program, Error *error);
 
 /* Draws the triangle on the bound framebuffer's pixels [x, x + width) x [y, y + height). */
 void program_draw(const Program *program, int x, int y, int width, int height);

@@ -2,7 +2,8 @@
  * and no driver believes that a draw hangs. */
 #pragma once
 
-#include "gl/camera.h"
+#include "base/rectangle.h"
+#include "gl/program.h"
 
 /* Draws `program`, which must be in use, on these regions of the bound framebuffer, and waits until it is
  * done. `pixels_per_second` is a guess, and is set to the measured speed. `stop` may be NULL; it is called

@@ -62,17 +62,14 @@ void target_clear(Target *target) {
     }
 }
 
-void target_begin(const Target *target, const Program *program, const char *const *names, const int *units) {
+void target_begin(const Target *target, const Program *program, const char *const *names) {
     const GlApi *gl = target->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer[1 - target->front]);
     gl->Viewport(0, 0, target->width, target->height);
     for (int i = 0; i < TARGET_TEXTURES; i++) {
         if (!target->textures[0][i]) continue;
-        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)units[i]);
-        gl->BindTexture(GL_TEXTURE_2D, target->textures[target->front][i]);
-        program_set_int(program, names[i], units[i]);
+        program_set_texture(program, names[i], target->textures[target->front][i]);
     }
-    gl->ActiveTexture(GL_TEXTURE0);
 }
 
 void target_keep(Target *target, const Rectangle *regions, int count) {

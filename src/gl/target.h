@@ -24,9 +24,9 @@ void target_destroy(Target *target);
 /* Zeroes both sides. */
 void target_clear(Target *target);
 
-/* Makes the back side what is drawn into, and the front side's texture i the sampler names[i], on the unit
- * units[i]. The program must be in use. */
-void target_begin(const Target *target, const Program *program, const char *const *names, const int *units);
+/* Makes the back side what is drawn into, and the front side's texture i the sampler names[i]. The program
+ * must be in use. */
+void target_begin(const Target *target, const Program *program, const char *const *names);
 
 /* Copies these regions from the front to the back, for passes that do not draw there. */
 void target_keep(Target *target, const Rectangle *regions, int count);

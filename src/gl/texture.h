@@ -3,7 +3,7 @@
 
 #include "gl/gl_api.h"
 
-/* A clamped RGBA32F texture, bound to the active unit. `filter` is GL_NEAREST or GL_LINEAR; `data` NULL or 4
+/* A clamped RGBA32F texture. `filter` is GL_NEAREST or GL_LINEAR; `data` NULL or 4
  * floats a texel, row 0 first. */
 GLuint texture_create(const GlApi *gl, int width, int height, GLint filter, const float *data);
 

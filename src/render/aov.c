@@ -54,28 +54,23 @@ bool aov_parse(const char *list, unsigned *kinds, Error *error) {
 
 static bool create_program(Program *program, const Context *context, const RenderParams *params,
                            const Renderer *renderer, Error *error) {
-    Text inputs = {0};
-    inputs_declare(renderer->needs.inputs, &inputs);
-    GlslSlot slots[] = {{"sequence", renderer->sequence.method->file, NULL},
-                        {"inputs", NULL, text_string(&inputs)},
-                        {"scene", params->scene->file->path, NULL},
-                        {"spheres", spheres_slot(params->scene), NULL},
-                        {NULL, NULL, NULL}};
-    GlslSource source;
-    bool ok = glsl_source_create(&source, params->library, "pass/aov.glsl", slots, error);
-    if (ok) ok = program_create(program, &context->gl, &source, error);
+    GlslSource source = {0};
+    bool ok = pass_text(&aov_pass_entry, &renderer->plan, params, &source, error) &&
+              program_create(program, &context->gl, &source, error);
     glsl_source_destroy(&source);
-    text_free(&inputs);
     return ok;
 }
 
+/* The picture's tables are filled: only what they tell is collected here. */
 static bool tell(const Aov *aov, const RenderParams *params, const Renderer *renderer, Error *error) {
+    Frame frame = frame_of(&renderer->plan, params->scene, &renderer->camera);
+    Uniforms uniforms = {0};
+    frame_uniforms(&frame, &renderer->plan, renderer->seed, &uniforms);
+    resources_uniforms(&renderer->tables, &frame, &uniforms);
     program_use(&aov->program);
-    camera_set(&renderer->camera, &aov->program);
-    inputs_set(&aov->program, params->scene, renderer->camera.width, renderer->camera.height);
-    spheres_use(&renderer->spheres, &aov->program);
-    renderer_set_parameters(&aov->program, params->scene);
-    program_set_uint(&aov->program, "seed", renderer->seed);
+    program_set(&aov->program, &uniforms);
+    resources_give(&renderer->tables, &aov->program);
+    uniforms_free(&uniforms);
     return gl_check(aov->program.gl, "setting up --aov", error);
 }
 
@@ -116,11 +111,10 @@ void aov_destroy(Aov *aov) {
 
 static void begin_group(const Aov *aov, unsigned group) {
     static const char *const names[] = {"aov_albedo", "aov_normal"};
-    static const int units[] = {0, 1};
     program_use(&aov->program);
     program_set_uint(&aov->program, "first_sample", aov->samples);
     program_set_uint(&aov->program, "group_samples", group);
-    target_begin(&aov->target, &aov->program, names, units);
+    target_begin(&aov->target, &aov->program, names);
 }
 
 /* False when stopped: then the group never was. */
@@ -140,7 +134,8 @@ bool aov_pass(Aov *aov, const Renderer *renderer, uint64_t samples, bool (*stop)
     if (!aov->program.id) return true;
     while (!stopped && aov->samples < wanted) {
         unsigned left = wanted - aov->samples;
-        stopped = !add_group(aov, left < renderer->group_samples ? left : renderer->group_samples, stop);
+        stopped =
+            !add_group(aov, left < renderer->plan.group_samples ? left : renderer->plan.group_samples, stop);
     }
     if (wanted && !aov->samples) add_group(aov, 1, NULL);
     return gl_check(aov->program.gl, "drawing --aov", error);

@@ -26,13 +26,13 @@ void describe_picture(AttributeList *list, const Scene *scene, const Renderer *r
     attribute_add(list, "magichour.scene", "%s", scene->file->path);
     attribute_add(list, "magichour.sun", "elevation %.9g azimuth %.9g", scene->values.sun.elevation_deg,
                   scene->values.sun.azimuth_deg);
-    attribute_add(list, "magichour.sun_disk", "%s, radius %.9g degrees", renderer->sun_disk.text,
+    attribute_add(list, "magichour.sun_disk", "%s, radius %.9g degrees", renderer->plan.sun.text,
                   scene->values.sun.radius_deg);
-    attribute_add(list, "magichour.sky", "%s", renderer->sky.choice.text);
+    attribute_add(list, "magichour.sky", "%s", renderer->plan.sky.text);
     if (!isnan(renderer->sky_bias_percent))
         attribute_add(list, "magichour.sky_bias_percent", "%.3g", renderer->sky_bias_percent);
-    attribute_add(list, "magichour.light", "%s", renderer->light.text);
-    attribute_add(list, "magichour.sequence", "%s", renderer->sequence.text);
+    attribute_add(list, "magichour.light", "%s", renderer->plan.light.text);
+    attribute_add(list, "magichour.sequence", "%s", renderer->plan.sequence.text);
     attribute_add(list, "magichour.seed", "%u", renderer->seed);
     if (scene->values.time_s > 0) attribute_add(list, "magichour.time", "%.9g", scene->values.time_s);
     const double *mouse = scene->values.mouse;

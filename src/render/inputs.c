@@ -20,9 +20,29 @@ void inputs_declare(unsigned wanted, Text *declarations) {
     }
 }
 
-void inputs_set(const Program *program, const Scene *scene, int width, int height) {
-    double resolution[3] = {width, height, 1};
-    program_set_vec3(program, "iResolution", resolution);
-    program_set_float(program, "iTime", scene->values.time_s);
-    program_set_vec4(program, "iMouse", scene->values.mouse);
+static void parameter_uniforms(const Scene *scene, Uniforms *uniforms) {
+    for (int i = 0; i < scene->file->parameter_count; i++) {
+        const Parameter *parameter = &scene->file->parameters[i];
+        const double *value = scene->values.parameters[i];
+        switch (parameter->type) {
+        case PARAMETER_SLIDER:
+            uniforms_float(uniforms, parameter->name, value[0]);
+            break;
+        case PARAMETER_CHECKBOX:
+            uniforms_int(uniforms, parameter->name, value[0] > 0);
+            break;
+        case PARAMETER_COLOR:
+            uniforms_vec3(uniforms, parameter->name, value);
+            break;
+        }
+    }
+}
+
+void inputs_uniforms(const Frame *frame, Uniforms *uniforms) {
+    double resolution[3] = {frame->camera.width, frame->camera.height, 1};
+    uniforms_declared_in(uniforms, NULL);
+    uniforms_vec3(uniforms, "iResolution", resolution);
+    uniforms_float(uniforms, "iTime", frame->scene->values.time_s);
+    uniforms_vec4(uniforms, "iMouse", frame->scene->values.mouse);
+    parameter_uniforms(frame->scene, uniforms);
 }

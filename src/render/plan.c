@@ -4,7 +4,6 @@
 #include "choice/auto.h"
 #include "gl/loops.h"
 #include "render/inputs.h"
-#include "render/spheres.h"
 #include "sky/sky.h"
 #include "sky/sun.h"
 
@@ -26,14 +25,6 @@ enum {
     SPHERES_ITERATIONS = 200,
     PLANE_CHAIN = 4 /* glsl/sun/planes.glsl */
 };
-
-bool plan_controls(const Plan *plan) {
-    return plan->light.method->needs_irradiance;
-}
-
-bool plan_samples_sky(const Plan *plan) {
-    return plan->light.method->needs_sky_sampler;
-}
 
 /* Loop iterations at one hit, with those of its rays' searches, and the bounds, mirror spheres and emitters
  * that it looks for. */
@@ -57,13 +48,15 @@ static long hit_iterations(const Plan *plan, const Scene *scene) {
  * allow. Without a context nothing is drawn, and so nothing is limited. */
 static bool choose_group(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
     const MethodChoice *sky = &plan->sky;
-    long limit = 0, hit = hit_iterations(plan, params->scene);
+    long limit, hit = hit_iterations(plan, params->scene);
     long others = 1 + (sky->table ? 0 : sky->iterations) * (1 + plan->light.method->extra_sky_lookups);
     long iterations = others + (plan->max_hits + 1L) * hit;
     bool small = MOST_GROUP_SAMPLES * iterations <= LEAST_LOOP_LIMIT && sky->iterations <= LEAST_LOOP_LIMIT;
     plan->group_samples = MOST_GROUP_SAMPLES;
     if (small || !context) return true;
-    if (!loops_probe(&context->gl, &limit, error)) return false;
+    if (plan->loop_limit == LOOP_LIMIT_UNKNOWN && !loops_probe(&context->gl, &plan->loop_limit, error))
+        return false;
+    limit = plan->loop_limit;
     if (!limit) return true;
     long most = (limit - others) / hit - 1;
     if (!params->max_hits && hit > 1 && most > 16 && most < plan->max_hits) plan->max_hits = (int)most;
@@ -98,7 +91,7 @@ static bool mirrors_alone_block(const Scene *scene) {
     return same == bounds;
 }
 
-bool plan_choose_methods(Plan *plan, const RenderParams *params, Error *error) {
+static bool choose_methods(Plan *plan, const RenderParams *params, Error *error) {
     const Scene *scene = params->scene;
     const char *sky = params->sky ? params->sky : scene->file->sky[0] ? scene->file->sky : NULL;
     AutoWish wish = {.error_percent = params->error_percent,
@@ -186,60 +179,19 @@ bool plan_counts_chance(const Plan *plan) {
     return plan->sun.method->samples_disk && plan->needs.throws;
 }
 
-/* The hints of a kind as GLSL, their words as they are: numbers, or the uniforms of sliders. */
-static void write_hints(Text *text, const Scene *scene, HintKind kind) {
-    const HintInfo *info = hint_info(kind);
-    int count = scene_hint_count(scene, kind);
-    text_print(text, "const int %s = %d;\nvec%d %s(int i) {\n", info->constant, count, info->components,
-               info->function);
-    for (int i = 0; i < count; i++) {
-        text_print(text, "    if (i == %d) return vec%d(", i, info->components);
-        for (int k = 0; k < info->components; k++)
-            text_print(text, "%sfloat(%s)", k ? ", " : "", scene->file->hints[kind].list[i].words[k]);
-        text_print(text, ");\n");
-    }
-    text_print(text, "    return vec%d(0.0);\n}", info->components);
-}
-
-bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, GlslSource *source,
-                  Error *error) {
-    const Scene *scene = params->scene;
-    GlslSlot slots[SKY_SLOTS + SUN_SLOTS + 12] = {{0}}, *slot = slots + SKY_SLOTS + SUN_SLOTS;
-    SkySlotText text;
-    Text bounds = {0}, mirrors = {0}, planes = {0}, emitters = {0}, inputs = {0};
-    const char *emission = !plan->needs.emits                             ? "emission/none.glsl"
-                           : scene_hint_count(scene, HINT_EMITTER_SPHERE) ? "emission/sampled.glsl"
-                                                                          : "emission/chance.glsl";
-    write_hints(&bounds, scene, HINT_BOUND);
-    write_hints(&mirrors, scene, HINT_MIRROR_SPHERE);
-    write_hints(&planes, scene, HINT_MIRROR_PLANE);
-    write_hints(&emitters, scene, HINT_EMITTER_SPHERE);
-    sky_slots(&plan->sky, &scene->values.atmosphere, slots, &text);
-    sun_slots(&plan->sun, scene, image, text_string(&mirrors), text_string(&planes), slots + SKY_SLOTS);
-    slot[0] = (GlslSlot){"sequence", plan->sequence.method->file, NULL};
-    slot[1] = (GlslSlot){"light", plan->light.method->file, NULL};
-    slot[2] = (GlslSlot){"scene", scene->file->path, NULL};
-    slot[3] = (GlslSlot){"bounds", NULL, text_string(&bounds)};
-    slot[4] = (GlslSlot){"scatter", params->variance ? "pass/scatter.glsl" : "pass/scatter_none.glsl", NULL};
-    slot[5] = (GlslSlot){"search", plan->needs.search ? "pass/search.glsl" : "pass/search_none.glsl", NULL};
-    slot[6] = (GlslSlot){"spheres", spheres_slot(scene), NULL};
-    slot[7] = (GlslSlot){"emission", emission, NULL};
-    slot[8] = (GlslSlot){"emitter-spheres", NULL, text_string(&emitters)};
-    inputs_declare(plan->needs.inputs, &inputs);
-    slot[9] = (GlslSlot){"inputs", NULL, text_string(&inputs)};
-    slot[10] =
-        (GlslSlot){"chance", plan_counts_chance(plan) ? "pass/chance.glsl" : "pass/chance_none.glsl", NULL};
-    bool ok = glsl_source_create(source, params->library, "pass/trace.glsl", slots, error);
-    text_free(&bounds);
-    text_free(&mirrors);
-    text_free(&planes);
-    text_free(&emitters);
-    text_free(&inputs);
-    return ok;
+bool plan_choose(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
+    plan->max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS;
+    plan->ozone = params->scene->values.atmosphere.ozone > 0;
+    return choose_methods(plan, params, error) && choose_group(plan, params, context, error);
 }
 
 bool plan_make(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
-    *plan = (Plan){.max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS};
-    return read_needs(params, &plan->needs, error) && plan_choose_methods(plan, params, error) &&
-           choose_group(plan, params, context, error);
+    *plan = (Plan){.loop_limit = LOOP_LIMIT_UNKNOWN};
+    return read_needs(params, &plan->needs, error) && plan_choose(plan, params, context, error);
+}
+
+bool plan_same_programs(const Plan *a, const Plan *b) {
+    return strcmp(a->sky.text, b->sky.text) == 0 && strcmp(a->light.text, b->light.text) == 0 &&
+           strcmp(a->sequence.text, b->sequence.text) == 0 && strcmp(a->sun.text, b->sun.text) == 0 &&
+           a->ozone == b->ozone;
 }

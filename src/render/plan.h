@@ -1,5 +1,5 @@
-/* What a picture's shader is made of, before anything of OpenGL: what the scene needs, the methods, how many
- * samples a draw may take, and the text of it all. */
+/* What is decided before anything of a picture is made: what the scene needs, the methods, and how many
+ * samples a draw may take. */
 #pragma once
 
 #include "choice/method.h"
@@ -36,11 +36,19 @@ typedef struct SceneNeeds {
     unsigned inputs; /* render/inputs.h */
 } SceneNeeds;
 
+enum { LOOP_LIMIT_UNKNOWN = -1 };
+
 typedef struct Plan {
     MethodChoice sky, light, sequence, sun;
     SceneNeeds needs;
     int max_hits;
-    unsigned group_samples; /* that the loops of one draw allow */
+    /* That the loops of one draw allow. */
+    unsigned group_samples;
+    /* Loop iterations after which this OpenGL ends a shader's loops: 0 if it does not, and LOOP_LIMIT_UNKNOWN
+     * until a plan came near the smallest limit that is known. */
+    long loop_limit;
+    /* Whether the air has ozone, which is compiled in. */
+    bool ozone;
 } Plan;
 
 /* All of it. `context` is where it will be drawn, and is asked for its limit of loops; NULL for a plan of
@@ -48,20 +56,14 @@ typedef struct Plan {
  * is wrong with the scene. */
 MUST_CHECK bool plan_make(Plan *plan, const RenderParams *params, const Context *context, Error *error);
 
-/* The methods alone, with what auto takes, by plan->needs. */
-MUST_CHECK bool plan_choose_methods(Plan *plan, const RenderParams *params, Error *error);
-
-/* The fragment shader as one text: the methods, the scene and what they include. `image`: the program that
- * draws the sun's own image too. */
-MUST_CHECK bool plan_flatten(const Plan *plan, const RenderParams *params, bool image, GlslSource *source,
-                             Error *error);
+/* The same for a scene whose needs are in the plan. */
+MUST_CHECK bool plan_choose(Plan *plan, const RenderParams *params, const Context *context, Error *error);
 
 /* Whether the film counts what is left to chance (FILM_CHANCE). */
 bool plan_counts_chance(const Plan *plan);
 
-/* What the light method looks up: the irradiance of the open sky; the sky by its brightness. */
-bool plan_controls(const Plan *plan);
-bool plan_samples_sky(const Plan *plan);
+/* Whether the programs of one plan serve the other, for the same scene file and film. */
+bool plan_same_programs(const Plan *a, const Plan *b);
 
 /* The picture's size, pixels. */
 int plan_width(const RenderParams *params);

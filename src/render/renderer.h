@@ -7,49 +7,38 @@
 
 #include "gl/camera.h"
 #include "gl/film.h"
-#include "render/plan.h"
-#include "render/spheres.h"
-#include "sky/irradiance.h"
-#include "sky/sky_sampler.h"
+#include "render/passes.h"
 #include "sky/sun.h"
 
 typedef struct Renderer {
     const GlApi *gl;
-    Program program;
-    Program
-        image_program; /* the same with the sun's own image, for the pixels that may hold it; may be empty */
-    GlslSource image_source; /* its text, of the same time as the other's: the files may change before the
-                                image is in the picture */
-    Film film;
-    Camera camera;
-    Sky sky;
-    SunTables sun;
-    SkyPatches patches; /* these are empty unless the light method asks for them */
-    Irradiance irradiance;
-    SkySampler sampler;
-    Spheres spheres;
-    MethodChoice light, sequence, sun_disk;
-    double sky_bias_percent; /* claimed (choice/bias.h); NAN where it is not known */
+    /* What was chosen, and asked for. */
+    Plan plan;
+    bool variance;
+    unsigned seed;
+    /* The claimed relRMSE of the sky (choice/bias.h), percent; NAN where it is not known. */
+    double sky_bias_percent;
     /* Whether all of the disk's light is found by chance: rare and bright. Of what `sampled` leaves to chance
      * the film knows (film_read_chance). */
     bool sun_by_chance;
-    int max_hits;
-    unsigned seed;
-    unsigned group_samples;   /* per pass; the last pass may take fewer */
-    double pixels_per_second; /* of a group, measured; sizes the draws */
-    unsigned group;           /* renderer_advance: samples of the group that is being drawn ... */
-    int row;                  /* ... whose rows before this one stand in the back of the film's target */
-    unsigned parts;           /* of its films */
-    SceneNeeds needs;
-    bool ozone;                                  /* whether it was compiled in */
-    double spheres_made_for[MOST_PARAMETERS][3]; /* the scene's, and its time */
-    double spheres_time_s;
-    Text source_files; /* what was compiled, for -v */
+    Program program;
+    /* The same with the sun's own image, for the pixels that may hold it. Empty until a picture has such
+     * pixels; its text is made together with the other's, as the files may have changed by then. */
+    Program image_program;
+    GlslSource image_source;
+    Resources tables;
+    Film film;
+    Camera camera;
+    SunImage image;
+    /* Of a group, measured; sizes the draws. */
+    double pixels_per_second;
+    /* renderer_advance(): the samples of the group in progress, and its first row that is not drawn yet; 0
+     * when none is in progress. */
+    unsigned group;
+    int row;
+    /* The paths of the files that were compiled, with blanks between. */
+    Text source_files;
 } Renderer;
-
-/* The fragment shader that these parameters ask for, as one text: the methods, the scene and what they
- * include. */
-MUST_CHECK bool renderer_flatten(const RenderParams *params, GlslSource *source, Error *error);
 
 /* STATUS_USAGE for methods or loops beyond their limits, STATUS_SCENE for GLSL errors. Compiles, which
  * drivers put off to the first pixel: that is drawn and thrown away. */
@@ -57,19 +46,12 @@ MUST_CHECK bool renderer_create(Renderer *renderer, const Context *context, cons
                                 Error *error);
 void renderer_destroy(Renderer *renderer);
 
-/* Binds this renderer's tables again after another one was made or used in the same context. `scene` is as at
- * its creation. */
-MUST_CHECK bool renderer_use(Renderer *renderer, const Scene *scene, Error *error);
-
 /* Forgets the picture and starts anew as renderer_create() would with these parameters, for the same scene
- * file. Sun, camera, size, parameters and air may have changed freely: programs are kept unless methods have
- * changed, and tables unless what they depend on has. Where the parameters are refused, the renderer stays as
- * it was. */
+ * file. Sun, camera, size, parameters and air may have changed freely: programs are kept unless methods or
+ * the film's parts have changed, and tables unless what they depend on has. Where the parameters are refused,
+ * the renderer stays as it was. */
 MUST_CHECK bool renderer_restart(Renderer *renderer, const Context *context, const RenderParams *params,
                                  Error *error);
-
-/* Tells `program`, which is in use, the values of the scene's own uniforms. */
-void renderer_set_parameters(const Program *program, const Scene *scene);
 
 /* Adds one group, at most `samples`. Drawn in strips of rows so that `stop` (may be NULL) is asked about ten
  * times a second: when it says yes, the unfinished group is dropped, or kept as far as it came if it is the

@@ -1,56 +1,84 @@
 #include "render/spheres.h"
 
 #include "base/memory.h"
-#include "base/text.h"
-#include "gl/texture.h"
-#include "render/inputs.h"
-#include "render/renderer.h"
 #include "scene/sphere_file.h"
 #include "scene/sphere_tree.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* FILL_COLUMNS stands in pass/fill_spheres.glsl, too. */
-enum { TABLE_UNIT = 10, FILL_COLUMNS = 1024 };
+/* Texels in a row of what scene_sphere() makes. */
+enum { DRAWN_COLUMNS = 1024 };
 
 static const double farthest_m = 1e7;
 
-static bool create_fill(Spheres *spheres, const char *library, const Scene *scene, Error *error) {
-    Text inputs = {0};
-    GlslSource source;
-    if (!glsl_source_create(&source, library, scene->file->path, NULL, error)) return false;
-    inputs_declare(inputs_wanted(&source), &inputs);
-    glsl_source_destroy(&source);
-    const GlslSlot slots[] = {
-        {"inputs", NULL, text_string(&inputs)}, {"scene", scene->file->path, NULL}, {NULL, NULL, NULL}};
-    bool ok = glsl_source_create(&source, library, "pass/fill_spheres.glsl", slots, error);
-    if (ok) ok = program_create(&spheres->fill, spheres->gl, &source, error);
-    glsl_source_destroy(&source);
-    text_free(&inputs);
-    return ok;
+const char *spheres_slot(const Scene *scene) {
+    return scene->file->spheres[0] ? "pass/spheres.glsl" : "pass/spheres_none.glsl";
 }
 
-/* Draws scene_sphere(0 .. rows * FILL_COLUMNS - 1), of radius 0 from `count` on. */
-static bool draw(const Spheres *spheres, const Scene *scene, int count, int rows, float *numbers,
-                 Error *error) {
-    const GlApi *gl = spheres->gl;
-    GLuint framebuffer = 0, texture = texture_create(gl, FILL_COLUMNS, rows, GL_NEAREST, NULL);
-    gl->GenFramebuffers(1, &framebuffer);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-    gl->Viewport(0, 0, FILL_COLUMNS, rows);
-    program_use(&spheres->fill);
-    inputs_set(&spheres->fill, scene, FILL_COLUMNS, rows);
-    renderer_set_parameters(&spheres->fill, scene);
-    program_set_int(&spheres->fill, "fill_count", count);
-    program_draw(&spheres->fill, 0, 0, FILL_COLUMNS, rows);
-    gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
-    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl->ReadPixels(0, 0, FILL_COLUMNS, rows, GL_RGBA, GL_FLOAT, numbers);
-    gl->DeleteFramebuffers(1, &framebuffer);
-    gl->DeleteTextures(1, &texture);
-    return gl_check(gl, "drawing scene_sphere()", error);
+static bool never(const void *frame) {
+    (void)frame;
+    return false;
+}
+
+static const Scene *scene_of(const void *frame) {
+    return ((const Frame *)frame)->scene;
+}
+
+/* What scene_sphere() makes */
+
+static void drawn_size(const void *frame, int *width, int *height) {
+    int count = scene_sphere_count(scene_of(frame));
+    *width = DRAWN_COLUMNS;
+    *height = count ? (count + DRAWN_COLUMNS - 1) / DRAWN_COLUMNS : 1;
+}
+
+/* The scene's parameters, its time and its mouse. */
+static void drawn_key(const void *frame, Text *key) {
+    const SceneValues *values = &scene_of(frame)->values;
+    text_append(key, values->parameters, sizeof values->parameters);
+    text_append(key, &values->time_s, sizeof values->time_s);
+    text_append(key, values->mouse, sizeof values->mouse);
+}
+
+static void drawn_uniforms(const Resource *drawn, const void *frame, Uniforms *uniforms) {
+    (void)drawn;
+    uniforms_declared_in(uniforms, "pass/fill_spheres.glsl");
+    uniforms_int(uniforms, "fill_count", scene_sphere_count(scene_of(frame)));
+    uniforms_int(uniforms, "fill_columns", DRAWN_COLUMNS);
+}
+
+const ResourceKind drawn_spheres = {.name = "what scene_sphere() makes",
+                                    .entry = "pass/fill_spheres.glsl",
+                                    .samplers = {"drawn_spheres"},
+                                    .filter = GL_NEAREST,
+                                    .wanted = never,
+                                    .size = drawn_size,
+                                    .key = drawn_key,
+                                    .uniforms = drawn_uniforms};
+
+/* The tree in a texture */
+
+static bool upload(Resource *table, const Scene *scene, const float *numbers, int count, Error *error) {
+    SphereTree tree = sphere_tree_create(numbers, count);
+    int rows = tree.rows ? tree.rows : 1, columns = tree.rows ? SPHERE_TREE_COLUMNS : 1;
+    bool fits = columns <= table->max_texture_size && rows <= table->max_texture_size;
+    if (fits) {
+        resource_upload(table, 0, columns, rows, tree.rows ? tree.texels : NULL);
+        table->entries = tree.entries;
+    } else {
+        error_set(error, STATUS_SCENE,
+                  "%s:%d: too many spheres: they need a texture of %dx%d, this OpenGL's limit is %d",
+                  scene->file->path, scene->file->spheres_line, columns, rows, table->max_texture_size);
+    }
+    sphere_tree_destroy(&tree);
+    return fits;
+}
+
+static void table_uniforms(const Resource *table, const void *frame, Uniforms *uniforms) {
+    (void)frame;
+    uniforms_declared_in(uniforms, "pass/spheres.glsl");
+    uniforms_int(uniforms, "spheres_count", table ? table->entries : 0);
 }
 
 static bool check(const Scene *scene, const float *numbers, int count, Error *error) {
@@ -62,81 +90,50 @@ static bool check(const Scene *scene, const float *numbers, int count, Error *er
     return true;
 }
 
-static bool get(const Spheres *spheres, const Scene *scene, float **numbers, int *count, Error *error) {
-    *count = scene_sphere_count(scene);
-    if (*count < 0) {
-        char *path = scene_sphere_path(scene);
-        bool read = sphere_file_read(path, SCENE_MOST_SPHERES, numbers, count, error);
-        free(path);
-        return read;
-    }
-    int rows = (*count + FILL_COLUMNS - 1) / FILL_COLUMNS;
-    *numbers = memory_get((size_t)rows * FILL_COLUMNS, 4 * sizeof **numbers);
-    return !rows ||
-           (draw(spheres, scene, *count, rows, *numbers, error) && check(scene, *numbers, *count, error));
+static bool wants_made(const void *frame) {
+    const Scene *scene = scene_of(frame);
+    return scene && scene->file->spheres[0] && scene_sphere_count(scene) >= 0;
 }
 
-static bool upload(Spheres *spheres, const Scene *scene, const SphereTree *tree, Error *error) {
-    int rows = tree->rows ? tree->rows : 1, columns = tree->rows ? SPHERE_TREE_COLUMNS : 1;
-    if (columns > spheres->max_texture_size || rows > spheres->max_texture_size) {
-        return error_set(error, STATUS_SCENE,
-                         "%s:%d: too many spheres: they need a texture of %dx%d, this OpenGL's "
-                         "limit is %d",
-                         scene->file->path, scene->file->spheres_line, columns, rows,
-                         spheres->max_texture_size);
-    }
-    texture_resize(spheres->gl, spheres->table, columns, rows, tree->rows ? tree->texels : NULL);
-    spheres->entries = tree->entries;
-    return gl_check(spheres->gl, "the table of spheres", error);
-}
-
-bool spheres_fill(Spheres *spheres, const Scene *scene, Error *error) {
-    float *numbers = NULL;
-    int count;
-    bool ok = get(spheres, scene, &numbers, &count, error);
-    if (ok) {
-        SphereTree tree = sphere_tree_create(numbers, count);
-        ok = upload(spheres, scene, &tree, error);
-        sphere_tree_destroy(&tree);
-    }
+static bool compute_made(Resource *table, const void *frame, Error *error) {
+    const Scene *scene = scene_of(frame);
+    const Resource *drawn = table->inputs[0];
+    int count = scene_sphere_count(scene);
+    float *numbers = memory_get((size_t)drawn->width * (size_t)drawn->height, 4 * sizeof *numbers);
+    bool ok = resource_read(drawn, 0, numbers, error) && check(scene, numbers, count, error) &&
+              upload(table, scene, numbers, count, error);
     free(numbers);
     return ok;
 }
 
-bool spheres_create(Spheres *spheres, const Context *context, const char *library, const Scene *scene,
-                    Error *error) {
-    *spheres = (Spheres){0};
-    if (!scene->file->spheres[0]) return true;
-    *spheres = (Spheres){.gl = &context->gl, .max_texture_size = context->max_texture_size};
-    spheres->table = texture_create(spheres->gl, 1, 1, GL_NEAREST, NULL);
-    if ((scene_sphere_count(scene) < 0 || create_fill(spheres, library, scene, error)) &&
-        spheres_fill(spheres, scene, error))
-        return true;
-    spheres_destroy(spheres);
-    return false;
+const ResourceKind scene_spheres = {.name = "the table of spheres",
+                                    .samplers = {"spheres_table"},
+                                    .filter = GL_NEAREST,
+                                    .inputs = {&drawn_spheres},
+                                    .wanted = wants_made,
+                                    .compute = compute_made,
+                                    .uniforms = table_uniforms};
+
+static bool wants_read(const void *frame) {
+    const Scene *scene = scene_of(frame);
+    return scene && scene->file->spheres[0] && scene_sphere_count(scene) < 0;
 }
 
-void spheres_destroy(Spheres *spheres) {
-    if (!spheres->gl) return;
-    spheres->gl->DeleteTextures(1, &spheres->table);
-    program_destroy(&spheres->fill);
-    *spheres = (Spheres){0};
+static bool compute_read(Resource *table, const void *frame, Error *error) {
+    const Scene *scene = scene_of(frame);
+    char *path = scene_sphere_path(scene);
+    float *numbers = NULL;
+    int count;
+    bool ok = sphere_file_read(path, SCENE_MOST_SPHERES, &numbers, &count, error) &&
+              upload(table, scene, numbers, count, error);
+    free(numbers);
+    free(path);
+    return ok;
 }
 
-const char *spheres_slot(const Scene *scene) {
-    return scene->file->spheres[0] ? "pass/spheres.glsl" : "pass/spheres_none.glsl";
-}
-
-void spheres_bind(const Spheres *spheres) {
-    if (!spheres->gl) return;
-    spheres->gl->ActiveTexture(GL_TEXTURE0 + TABLE_UNIT);
-    spheres->gl->BindTexture(GL_TEXTURE_2D, spheres->table);
-    spheres->gl->ActiveTexture(GL_TEXTURE0);
-}
-
-void spheres_use(const Spheres *spheres, const Program *program) {
-    if (!spheres->gl) return;
-    spheres_bind(spheres);
-    program_set_int(program, "spheres_table", TABLE_UNIT);
-    program_set_int(program, "spheres_count", spheres->entries);
-}
+const ResourceKind file_spheres = {.name = "the table of spheres",
+                                   .samplers = {"spheres_table"},
+                                   .filter = GL_NEAREST,
+                                   .wanted = wants_read,
+                                   .compute = compute_read,
+                                   .uniforms = table_uniforms};

@@ -11,15 +11,6 @@ enum {
     PATCH_ROWS = PATCH_ROWS_ABOVE + PATCH_ROWS_BELOW
 };
 
-typedef struct SkyPatches {
-    const GlApi *gl;
-    Program program;
-    GLuint light, direction, framebuffer; /* textures of PATCH_COLUMNS x PATCH_ROWS */
-} SkyPatches;
-
-MUST_CHECK bool sky_patches_create(SkyPatches *patches, const Context *context, const char *library,
-                                   const MethodChoice *sky, const Atmosphere *atmosphere, Error *error);
-void sky_patches_destroy(SkyPatches *patches);
-
-/* Fills the textures. The framebuffer and the program in use change. */
-MUST_CHECK bool sky_patches_fill(SkyPatches *patches, Sky *sky, const SkyState *state, Error *error);
+/* Texture 0: radiance times the patch's solid angle, and that angle. Texture 1: the patch's direction, toward
+ * the sun's azimuth, up and aside. */
+extern const ResourceKind sky_patches;

@@ -10,23 +10,38 @@
 
 enum { SIDE = 256 }; /* directions are asked SIDE x SIDE at a time */
 
-static bool create_program(SkyProbe *probe, const char *library, const Atmosphere *atmosphere, Error *error) {
-    GlslSlot slots[SKY_SLOTS + 1] = {{0}};
-    SkySlotText text;
-    GlslSource source;
-    sky_slots(&probe->sky.choice, atmosphere, slots, &text);
-    if (!glsl_source_create(&source, library, "pass/sky_probe.glsl", slots, error)) return false;
-    bool ok = program_create(&probe->program, probe->sky.gl, &source, error);
+/* What the sky's texts are made from. */
+typedef struct Texts {
+    const char *library;
+    SlotList slots;
+} Texts;
+
+static bool make_text(const void *data, const char *entry, GlslSource *source, Error *error) {
+    const Texts *texts = data;
+    return glsl_source_create(source, texts->library, entry, texts->slots.slots, error);
+}
+
+static bool create_programs(SkyProbe *probe, const Context *context, const char *library,
+                            const Atmosphere *atmosphere, Error *error) {
+    static const ResourceKind *const kinds[] = {&sky_table, NULL};
+    Frame frame = {.sky = &probe->choice};
+    Texts texts = {.library = library};
+    ResourceTexts maker = {make_text, &texts};
+    GlslSource source = {0};
+    sky_slots(&texts.slots, &probe->choice, atmosphere);
+    bool ok = resources_create(&probe->tables, context, kinds, &frame, &maker, error) &&
+              make_text(&texts, "pass/sky_probe.glsl", &source, error) &&
+              program_create(&probe->program, probe->gl, &source, error);
     glsl_source_destroy(&source);
+    slot_list_free(&texts.slots);
     return ok;
 }
 
 bool sky_probe_create(SkyProbe *probe, const Context *context, const char *library,
                       const MethodChoice *choice, const Atmosphere *atmosphere, Error *error) {
     const GlApi *gl = &context->gl;
-    *probe = (SkyProbe){0};
-    if (!sky_create(&probe->sky, context, library, choice, atmosphere, error)) return false;
-    if (!create_program(probe, library, atmosphere, error)) goto fail;
+    *probe = (SkyProbe){.gl = gl, .choice = *choice};
+    if (!create_programs(probe, context, library, atmosphere, error)) goto fail;
     probe->texture[0] = texture_create(gl, SIDE, SIDE, GL_NEAREST, NULL);
     probe->texture[1] = texture_create(gl, SIDE, SIDE, GL_NEAREST, NULL);
     gl->GenFramebuffers(1, &probe->framebuffer);
@@ -39,26 +54,42 @@ fail:
 }
 
 void sky_probe_destroy(SkyProbe *probe) {
-    const GlApi *gl = probe->sky.gl;
+    const GlApi *gl = probe->gl;
     if (!gl) return;
     if (probe->framebuffer) gl->DeleteFramebuffers(1, &probe->framebuffer);
     gl->DeleteTextures(2, probe->texture);
     program_destroy(&probe->program);
-    sky_destroy(&probe->sky);
+    resources_destroy(&probe->tables);
     *probe = (SkyProbe){0};
+}
+
+/* Makes the sky ready for this state, and the probe's program the one in use. */
+static bool use(SkyProbe *probe, const SkyState *state, Error *error) {
+    Frame frame = {.state = *state, .sky = &probe->choice};
+    Uniforms uniforms = {0};
+    sky_uniforms(&frame, &uniforms);
+    bool ok = resources_prepare(&probe->tables, &frame, &uniforms, error);
+    if (ok) {
+        program_use(&probe->program);
+        program_set(&probe->program, &uniforms);
+        resources_give(&probe->tables, &probe->program);
+        program_set_texture(&probe->program, "probe_directions", probe->texture[0]);
+        ok = program_check(&probe->program, error);
+    }
+    uniforms_free(&uniforms);
+    return ok;
 }
 
 /* Up to SIDE x SIDE directions; whole rows go through `rows`, a buffer of that many. */
 static bool ask_some(SkyProbe *probe, const float *directions, size_t count, float *radiances, float *rows,
                      Error *error) {
-    const GlApi *gl = probe->sky.gl;
+    const GlApi *gl = probe->gl;
     int height = (int)((count + SIDE - 1) / SIDE);
     memset(rows, 0, (size_t)height * SIDE * 4 * sizeof *rows);
     memcpy(rows, directions, count * 4 * sizeof *rows);
     gl->BindFramebuffer(GL_FRAMEBUFFER, probe->framebuffer);
     gl->Viewport(0, 0, SIDE, SIDE);
     texture_resize(gl, probe->texture[0], SIDE, height, rows);
-    program_set_int(&probe->program, "probe_directions", 0);
     program_draw(&probe->program, 0, 0, SIDE, height);
     gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
     gl->ReadPixels(0, 0, SIDE, height, GL_RGBA, GL_FLOAT, rows);
@@ -68,7 +99,7 @@ static bool ask_some(SkyProbe *probe, const float *directions, size_t count, flo
 
 bool sky_probe_ask(SkyProbe *probe, const SkyState *state, const float *directions, size_t count,
                    float *radiances, Error *error) {
-    if (!sky_use(&probe->sky, &probe->program, state, error)) return false;
+    if (!use(probe, state, error)) return false;
     float *rows = memory_get((size_t)SIDE * SIDE * 4, sizeof *rows);
     bool ok = true;
     for (size_t done = 0; ok && done < count; done += (size_t)SIDE * SIDE) {
@@ -81,7 +112,7 @@ bool sky_probe_ask(SkyProbe *probe, const SkyState *state, const float *directio
 
 bool sky_probe_time(SkyProbe *probe, const SkyState *state, const float *directions, size_t count,
                     double seconds, double *lookup_seconds, Error *error) {
-    const GlApi *gl = probe->sky.gl;
+    const GlApi *gl = probe->gl;
     size_t most = (size_t)SIDE * SIDE, asked = count < most ? count : most;
     int height = (int)((asked + SIDE - 1) / SIDE);
     float *radiances = memory_get(asked, 4 * sizeof *radiances);

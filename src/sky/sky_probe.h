@@ -4,9 +4,12 @@
 #include "sky/sky.h"
 
 typedef struct SkyProbe {
-    Sky sky;
+    const GlApi *gl;
+    MethodChoice choice;
+    Resources tables;
     Program program;
-    GLuint texture[2], framebuffer; /* directions in, radiances out */
+    /* Directions in, radiances out. */
+    GLuint texture[2], framebuffer;
 } SkyProbe;
 
 /* Whether there is ozone must not change afterwards. */
@@ -18,7 +21,7 @@ void sky_probe_destroy(SkyProbe *probe);
 MUST_CHECK bool sky_probe_ask(SkyProbe *probe, const SkyState *state, const float *directions, size_t count,
                               float *radiances, Error *error);
 
-/* Seconds of a lookup: the quickest of many draws that ask 65536 of `directions` (or as many as there are)
- * and read nothing back, for about `seconds`, once at least. */
+/* Seconds of a lookup: the quickest of many draws that look up 65536 of `directions` (or as many as there
+ * are) and read nothing back, for about `seconds`, once at least. */
 MUST_CHECK bool sky_probe_time(SkyProbe *probe, const SkyState *state, const float *directions, size_t count,
                                double seconds, double *lookup_seconds, Error *error);

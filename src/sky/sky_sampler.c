@@ -2,26 +2,11 @@
 
 #include "base/memory.h"
 #include "base/vec3.h"
-#include "gl/texture.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { BINS_UNIT = 7, SHARES_UNIT = 8, CELLS = PATCH_COLUMNS * PATCH_ROWS };
-
-bool sky_sampler_create(SkySampler *sampler, const Context *context, Error *error) {
-    const GlApi *gl = &context->gl;
-    *sampler = (SkySampler){.gl = gl};
-    sampler->bins = texture_create(gl, SKY_BIN_COLUMNS, SKY_BIN_ROWS, GL_NEAREST, NULL);
-    sampler->shares = texture_create(gl, PATCH_COLUMNS, PATCH_ROWS, GL_NEAREST, NULL);
-    return gl_check(gl, "the sky's sampler", error);
-}
-
-void sky_sampler_destroy(SkySampler *sampler) {
-    if (sampler->bins) sampler->gl->DeleteTextures(1, &sampler->bins);
-    if (sampler->shares) sampler->gl->DeleteTextures(1, &sampler->shares);
-    *sampler = (SkySampler){0};
-}
+enum { CELLS = PATCH_COLUMNS * PATCH_ROWS };
 
 void sky_sampler_share(const double *weights, int cells, int *bins) {
     double total = 0, passed = 0;
@@ -80,15 +65,7 @@ static void weigh(const float *light, const float *direction, double *weights) {
     }
 }
 
-static void read_texture(const SkyPatches *patches, GLenum attachment, float *texels) {
-    const GlApi *gl = patches->gl;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, patches->framebuffer);
-    gl->ReadBuffer(attachment);
-    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl->ReadPixels(0, 0, PATCH_COLUMNS, PATCH_ROWS, GL_RGBA, GL_FLOAT, texels);
-}
-
-static void upload(SkySampler *sampler, const double *weights) {
+static void upload(Resource *sampler, const double *weights) {
     float *bins = memory_get(SKY_BINS, 4 * sizeof *bins), *shares = memory_get(CELLS, 4 * sizeof *shares);
     double *ordered = memory_get(CELLS, sizeof *ordered);
     int *counts = memory_get(CELLS, sizeof *counts), first = 0;
@@ -105,51 +82,49 @@ static void upload(SkySampler *sampler, const double *weights) {
         for (int c = 0; c < 4; c++) shares[4 * cell + c] = (float)counts[i] / SKY_BINS;
         first += counts[i];
     }
-    texture_resize(sampler->gl, sampler->bins, SKY_BIN_COLUMNS, SKY_BIN_ROWS, bins);
-    texture_resize(sampler->gl, sampler->shares, PATCH_COLUMNS, PATCH_ROWS, shares);
+    resource_upload(sampler, 0, SKY_BIN_COLUMNS, SKY_BIN_ROWS, bins);
+    resource_upload(sampler, 1, PATCH_COLUMNS, PATCH_ROWS, shares);
     free(bins);
     free(shares);
     free(ordered);
     free(counts);
 }
 
-static bool fill(SkySampler *sampler, SkyPatches *patches, Sky *sky, const SkyState *state, Error *error) {
-    if (!sky_patches_fill(patches, sky, state, error)) return false;
+static bool compute(Resource *sampler, const void *frame, Error *error) {
+    const Resource *patches = sampler->inputs[0];
     float *light = memory_get(CELLS, 4 * sizeof *light),
           *direction = memory_get(CELLS, 4 * sizeof *direction);
     double *weights = memory_get(CELLS, sizeof *weights);
-    read_texture(patches, GL_COLOR_ATTACHMENT0, light);
-    read_texture(patches, GL_COLOR_ATTACHMENT1, direction);
-    weigh(light, direction, weights);
-    upload(sampler, weights);
+    (void)frame;
+    bool ok = resource_read(patches, 0, light, error) && resource_read(patches, 1, direction, error);
+    if (ok) {
+        weigh(light, direction, weights);
+        upload(sampler, weights);
+    }
     free(light);
     free(direction);
     free(weights);
-    sampler->filled_for = *state;
-    sampler->fills++;
-    return gl_check(sampler->gl, "filling the sky's sampler", error);
+    return ok;
 }
 
-void sky_sampler_bind(const SkySampler *sampler) {
-    if (!sampler->gl) return;
-    sampler->gl->ActiveTexture(GL_TEXTURE0 + BINS_UNIT);
-    sampler->gl->BindTexture(GL_TEXTURE_2D, sampler->bins);
-    sampler->gl->ActiveTexture(GL_TEXTURE0 + SHARES_UNIT);
-    sampler->gl->BindTexture(GL_TEXTURE_2D, sampler->shares);
-    sampler->gl->ActiveTexture(GL_TEXTURE0);
+static bool wants_sampler(const void *frame) {
+    const MethodChoice *light = ((const Frame *)frame)->light;
+    return light && light->method->needs_sky_sampler;
 }
 
-bool sky_sampler_use(SkySampler *sampler, SkyPatches *patches, Sky *sky, const Program *program,
-                     const SkyState *state, Error *error) {
+static void sampler_uniforms(const Resource *sampler, const void *frame, Uniforms *uniforms) {
     static const double count[3] = {PATCH_COLUMNS, PATCH_ROWS_ABOVE, PATCH_ROWS_BELOW};
-    bool filled = sampler->fills && sky_state_serves(&sampler->filled_for, state);
-    if (!filled && !fill(sampler, patches, sky, state, error)) return false;
-    sky_sampler_bind(sampler);
-    program_use(program);
-    program_set_int(program, "sky_bins", BINS_UNIT);
-    program_set_int(program, "sky_cell_share", SHARES_UNIT);
-    program_set_vec3(program, "sky_cells_count", count);
-    program_set_float(program, "sky_cells_horizon", sky_horizon_sine(&state->atmosphere));
-    program_set_vec3(program, "sky_cells_level", state->sun.level);
-    return gl_check(sampler->gl, "setting up the sky's sampler", error);
+    (void)sampler;
+    uniforms_declared_in(uniforms, "pass/sky_sampler.glsl");
+    uniforms_vec3(uniforms, "sky_cells_count", count);
+    uniforms_float(uniforms, "sky_cells_horizon",
+                   sky_horizon_sine(&((const Frame *)frame)->state.atmosphere));
 }
+
+const ResourceKind sky_sampler = {.name = "the sky's sampler",
+                                  .samplers = {"sky_bins", "sky_cell_share"},
+                                  .filter = GL_NEAREST,
+                                  .inputs = {&sky_patches},
+                                  .wanted = wants_sampler,
+                                  .compute = compute,
+                                  .uniforms = sampler_uniforms};

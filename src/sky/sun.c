@@ -2,31 +2,25 @@
 
 #include "base/memory.h"
 #include "base/vec3.h"
-#include "gl/texture.h"
 #include "sky/sun_disk.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { TABLE_COLUMNS = 256, TABLE_UNIT = 2, COVER_UNIT = 3 };
+enum { TABLE_COLUMNS = 256 };
 
 static SunDisk disk_of(const Scene *scene) {
     return sun_disk(&scene->values.atmosphere, &scene->values.sun);
 }
 
-void sun_slots(const MethodChoice *choice, const Scene *scene, bool image, const char *spheres,
-               const char *planes, GlslSlot *slots) {
+void sun_slots(SlotList *slots, const MethodChoice *choice, const Scene *scene, bool image) {
     bool mirrors = scene_hint_count(scene, HINT_MIRROR_SPHERE) > 0;
-    slots[0] = (GlslSlot){"sun", choice->method->file, NULL};
-    slots[1] = (GlslSlot){"sun-image", image ? "pass/sun_image.glsl" : "pass/sun_image_none.glsl", NULL};
-    slots[2] = (GlslSlot){"mirrors", mirrors ? "sun/mirrors.glsl" : "sun/mirrors_none.glsl", NULL};
-    slots[3] = (GlslSlot){"mirrors-image",
-                          mirrors ? "pass/mirrors_image.glsl" : "pass/mirrors_image_none.glsl", NULL};
-    slots[4] = (GlslSlot){"mirror-spheres", NULL, spheres};
-    slots[5] = (GlslSlot){
-        "planes", scene_hint_count(scene, HINT_MIRROR_PLANE) ? "sun/planes.glsl" : "sun/planes_none.glsl",
-        NULL};
-    slots[6] = (GlslSlot){"mirror-planes", NULL, planes};
+    bool planes = scene_hint_count(scene, HINT_MIRROR_PLANE) > 0;
+    slot_file(slots, "sun", choice->method->file);
+    slot_file(slots, "sun-image", image ? "pass/sun_image.glsl" : "pass/sun_image_none.glsl");
+    slot_file(slots, "mirrors", mirrors ? "sun/mirrors.glsl" : "sun/mirrors_none.glsl");
+    slot_file(slots, "mirrors-image", mirrors ? "pass/mirrors_image.glsl" : "pass/mirrors_image_none.glsl");
+    slot_file(slots, "planes", planes ? "sun/planes.glsl" : "sun/planes_none.glsl");
 }
 
 bool sun_choose(MethodChoice *choice, const char *text, const Scene *scene, Error *error) {
@@ -36,8 +30,8 @@ bool sun_choose(MethodChoice *choice, const char *text, const Scene *scene, Erro
     return sun_disk_visible(&disk) || method_choose(choice, METHOD_SUN, "off", error);
 }
 
-static void add_rectangle(SunTables *sun, Rectangle rectangle) {
-    if (rectangle.width && rectangle.height) sun->rectangles[sun->rectangle_count++] = rectangle;
+static void add_rectangle(SunImage *image, Rectangle rectangle) {
+    if (rectangle.width && rectangle.height) image->rectangles[image->count++] = rectangle;
 }
 
 /* Where the eye sees the disk's middle in a sphere, by bisection of Alhazen's angle
@@ -66,79 +60,115 @@ static bool reflected_toward(const double eye[3], const double sphere[4], const 
     return true;
 }
 
-static void find_rectangles(SunTables *sun, const SunDisk *disk, const Scene *scene, const Camera *camera) {
-    add_rectangle(sun, camera_cone_rectangle(camera, disk->middle, disk->radius));
+SunImage sun_image(const Frame *frame) {
+    const Scene *scene = frame->scene;
+    const Camera *camera = &frame->camera;
+    SunImage image = {0};
+    if (!frame->sun_disk->method->draws_image) return image;
+    SunDisk disk = disk_of(scene);
+    add_rectangle(&image, camera_cone_rectangle(camera, disk.middle, disk.radius));
     for (int i = 0; i < scene_hint_count(scene, HINT_MIRROR_SPHERE); i++) {
         double sphere[4], direction[3];
         scene_hint(scene, HINT_MIRROR_SPHERE, i, sphere);
-        if (sphere[3] <= 0 || !reflected_toward(camera->eye, sphere, disk->middle, direction)) continue;
-        add_rectangle(sun, camera_cone_rectangle(camera, direction, 1.1 * disk->radius));
+        if (sphere[3] <= 0 || !reflected_toward(camera->eye, sphere, disk.middle, direction)) continue;
+        add_rectangle(&image, camera_cone_rectangle(camera, direction, 1.1 * disk.radius));
     }
+    return image;
 }
 
-/* The disk's image as it would be unblocked; a texel of nothing where it is not in the picture or is no
- * ellipse there. */
-static void create_cover(SunTables *sun, const SunDisk *disk, const Scene *scene, const Camera *camera) {
-    Rectangle r = camera_cone_rectangle(camera, disk->middle, disk->radius);
-    float none[4] = {0};
-    float *cover =
-        r.width && r.height ? memory_get((size_t)r.width * (size_t)r.height, 4 * sizeof *cover) : none;
-    bool there = cover != none && sun_disk_cover(disk, &scene->values.atmosphere, camera, r, cover);
-    if (there) sun->covered = r;
-    sun->cover =
-        texture_create(sun->gl, there ? r.width : 1, there ? r.height : 1, GL_NEAREST, there ? cover : none);
-    if (cover != none) free(cover);
+/* The table of radiances */
+
+static bool wants_disk(const void *frame) {
+    const MethodChoice *disk = ((const Frame *)frame)->sun_disk;
+    return disk && disk->method->has_disk;
 }
 
-bool sun_create(SunTables *sun, const Context *context, const MethodChoice *choice, const Scene *scene,
-                const Camera *camera, Error *error) {
-    SunDisk disk = disk_of(scene);
-    float table[4 * TABLE_COLUMNS];
-    *sun = (SunTables){.gl = &context->gl};
-    if (!choice->method->has_disk) return true;
-    sun_disk_table(&disk, &scene->values.atmosphere, TABLE_COLUMNS, table);
-    sun->table = texture_create(sun->gl, TABLE_COLUMNS, 1, GL_LINEAR, table);
-    if (choice->method->draws_image) {
-        find_rectangles(sun, &disk, scene, camera);
-        create_cover(sun, &disk, scene, camera);
-    }
-    if (gl_check(sun->gl, "the sun's disk", error)) return true;
-    sun_destroy(sun);
-    return false;
+static void disk_key(const void *data, Text *key) {
+    const SkyState *state = &((const Frame *)data)->state;
+    text_append(key, &state->atmosphere, sizeof state->atmosphere);
+    text_append(key, &state->sun, sizeof state->sun);
 }
 
-void sun_destroy(SunTables *sun) {
-    if (!sun->gl) return;
-    if (sun->table) sun->gl->DeleteTextures(1, &sun->table);
-    if (sun->cover) sun->gl->DeleteTextures(1, &sun->cover);
-    *sun = (SunTables){0};
+static bool compute_table(Resource *table, const void *data, Error *error) {
+    const SkyState *state = &((const Frame *)data)->state;
+    SunDisk disk = sun_disk(&state->atmosphere, &state->sun);
+    float radiances[4 * TABLE_COLUMNS];
+    (void)error;
+    sun_disk_table(&disk, &state->atmosphere, TABLE_COLUMNS, radiances);
+    resource_upload(table, 0, TABLE_COLUMNS, 1, radiances);
+    return true;
 }
 
-void sun_bind(const SunTables *sun) {
-    if (!sun->table) return;
-    sun->gl->ActiveTexture(GL_TEXTURE0 + TABLE_UNIT);
-    sun->gl->BindTexture(GL_TEXTURE_2D, sun->table);
-    sun->gl->ActiveTexture(GL_TEXTURE0 + COVER_UNIT);
-    sun->gl->BindTexture(GL_TEXTURE_2D, sun->cover);
-    sun->gl->ActiveTexture(GL_TEXTURE0);
+static void disk_uniforms(const Resource *table, const void *data, Uniforms *uniforms) {
+    const SkyState *state = &((const Frame *)data)->state;
+    SunDisk disk = sun_disk(&state->atmosphere, &state->sun);
+    double heights[3] = {disk.lowest, disk.top, 0};
+    (void)table;
+    uniforms_declared_in(uniforms, "pass/sun_disk.glsl");
+    uniforms_vec3(uniforms, "sun_disk_middle", disk.middle);
+    uniforms_float(uniforms, "sun_disk_one_less_cos", 2 * sin(disk.radius / 2) * sin(disk.radius / 2));
+    uniforms_vec3(uniforms, "sun_disk_heights", heights);
 }
 
-void sun_use(const SunTables *sun, const Program *program, const Scene *scene, const Camera *camera) {
-    SunDisk disk = disk_of(scene);
-    if (!sun->table) return;
-    double heights[3] = {disk.lowest, disk.top, 0}, heart[3], heart_at[3] = {0}, corner[3] = {0};
+const ResourceKind sun_table = {.name = "the sun's radiances",
+                                .samplers = {"sun_disk_table"},
+                                .filter = GL_LINEAR,
+                                .wanted = wants_disk,
+                                .key = disk_key,
+                                .compute = compute_table,
+                                .uniforms = disk_uniforms};
+
+/* The cover of pixels */
+
+static bool wants_cover(const void *frame) {
+    const MethodChoice *disk = ((const Frame *)frame)->sun_disk;
+    return disk && disk->method->draws_image;
+}
+
+static void cover_key(const void *frame, Text *key) {
+    const Camera *camera = &((const Frame *)frame)->camera;
+    disk_key(frame, key);
+    text_append(key, camera, sizeof *camera);
+}
+
+/* The disk's image as it would be unblocked, in the rectangle that may hold it. Nothing, a texel of zeros,
+ * where it is not in the picture or is no ellipse there. `entries` is 1 where there is a cover. */
+static bool compute_cover(Resource *cover, const void *data, Error *error) {
+    static const float none[4] = {0};
+    const Frame *frame = data;
+    SunDisk disk = disk_of(frame->scene);
+    Rectangle r = camera_cone_rectangle(&frame->camera, disk.middle, disk.radius);
+    size_t pixels = (size_t)r.width * (size_t)r.height;
+    float *radiances = memory_get(pixels, 4 * sizeof *radiances);
+    (void)error;
+    bool there = pixels && sun_disk_cover(&disk, &frame->state.atmosphere, &frame->camera, r, radiances);
+    resource_upload(cover, 0, there ? r.width : 1, there ? r.height : 1, there ? radiances : none);
+    cover->entries = there;
+    free(radiances);
+    return true;
+}
+
+/* The rectangle's first pixel, beside the picture where there is no cover; and a point well inside of the
+ * visible disk, in pixels. */
+static void cover_uniforms(const Resource *cover, const void *data, Uniforms *uniforms) {
+    const Frame *frame = data;
+    SunDisk disk = disk_of(frame->scene);
+    Rectangle r = camera_cone_rectangle(&frame->camera, disk.middle, disk.radius);
+    bool there = cover && cover->entries;
+    double corner[3] = {there ? r.x : -9, there ? r.y : 0, 0}, heart[3], heart_at[3] = {0};
     double visible = asin(disk.lowest) + asin(fmin(disk.top, sin(asin(disk.middle[1]) + disk.radius)));
     double lift = tan(fmax(visible / 2 - asin(disk.middle[1]), 0));
     for (int i = 0; i < 3; i++) heart[i] = disk.middle[i] + lift * disk.up[i];
-    corner[0] = sun->covered.width ? sun->covered.x : -9; /* beside the picture */
-    corner[1] = sun->covered.y;
-    if (!camera_project(camera, heart, heart_at)) heart_at[0] = heart_at[1] = -1;
-    sun_bind(sun);
-    program_set_vec3(program, "sun_disk_middle", disk.middle);
-    program_set_float(program, "sun_disk_one_less_cos", 2 * sin(disk.radius / 2) * sin(disk.radius / 2));
-    program_set_vec3(program, "sun_disk_heights", heights);
-    program_set_int(program, "sun_disk_table", TABLE_UNIT);
-    program_set_int(program, "sun_image_cover", COVER_UNIT);
-    program_set_vec3(program, "sun_image_corner", corner);
-    program_set_vec3(program, "sun_image_heart", heart_at);
+    if (!camera_project(&frame->camera, heart, heart_at)) heart_at[0] = heart_at[1] = -1;
+    uniforms_declared_in(uniforms, "pass/sun_image.glsl");
+    uniforms_vec3(uniforms, "sun_image_corner", corner);
+    uniforms_vec3(uniforms, "sun_image_heart", heart_at);
 }
+
+const ResourceKind sun_cover = {.name = "the sun's image",
+                                .samplers = {"sun_image_cover"},
+                                .filter = GL_NEAREST,
+                                .wanted = wants_cover,
+                                .key = cover_key,
+                                .compute = compute_cover,
+                                .uniforms = cover_uniforms};

@@ -69,8 +69,8 @@ void view_command(const CommandParams *params, Text *command) {
     }
     text_print(command, " -o picture.exr --size %dx%d --spp %" PRIu64, renderer->camera.width,
                renderer->camera.height, renderer->film.samples);
-    text_print(command, " --sky %s --light %s --sequence %s --sun-disk=%s", renderer->sky.choice.text,
-               renderer->light.text, renderer->sequence.text, renderer->sun_disk.text);
+    text_print(command, " --sky %s --light %s --sequence %s --sun-disk=%s", renderer->plan.sky.text,
+               renderer->plan.light.text, renderer->plan.sequence.text, renderer->plan.sun.text);
     if (renderer->seed) text_print(command, " --seed %u", renderer->seed);
     if (params->max_hits) text_print(command, " --depth %d", params->max_hits);
     print_number(command, " --sun ", now->sun.elevation_deg);

@@ -25,19 +25,17 @@ void display_destroy(Display *display) {
 static const Program *use(const Display *display, DisplayWay way, const DisplayParams *params) {
     const Program *program = &display->programs[way];
     double size[3] = {params->width, params->height, 0};
+    Uniforms uniforms = {0};
+    uniforms_declared_in(&uniforms, "pass/display.glsl");
+    uniforms_vec3(&uniforms, "window_size", size);
+    uniforms_declared_in(&uniforms, "pass/shown_tone.glsl");
+    uniforms_float(&uniforms, "gain", exp2(params->exposure_ev));
+    uniforms_declared_in(&uniforms, "pass/shown_difference.glsl");
+    uniforms_float(&uniforms, "difference", params->difference);
     program_use(program);
-    program_set_vec3(program, "window_size", size);
-    program_set_float(program, "gain", exp2(params->exposure_ev));
-    program_set_float(program, "difference", params->difference);
-    program_set_int(program, "film_a", 0);
-    program_set_int(program, "film_b", 1);
+    program_set(program, &uniforms);
+    uniforms_free(&uniforms);
     return program;
-}
-
-static void bind(const GlApi *gl, int unit, GLuint texture) {
-    gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-    gl->BindTexture(GL_TEXTURE_2D, texture);
-    gl->ActiveTexture(GL_TEXTURE0);
 }
 
 /* The film's sums; its compensation is below what 8 bits show. */
@@ -55,7 +53,7 @@ static void draw_part(const Display *display, const DisplayParams *params, GLuin
     bool same = film->width == params->width && film->height == params->height;
     const Program *program = use(display, same ? DISPLAY_PICTURE : DISPLAY_ENLARGED, params);
     if (columns[0] >= columns[1] || rows[0] >= rows[1]) return;
-    bind(program->gl, 0, texture);
+    program_set_texture(program, "film_a", texture);
     program_draw(program, columns[0], params->height - rows[1], columns[1] - columns[0], rows[1] - rows[0]);
 }
 
@@ -66,8 +64,21 @@ static void draw_side(const Display *display, const DisplayParams *params, const
     draw_part(display, params, front(side->film), side->film, columns, lower);
 }
 
-static void draw_all(const Display *display, const DisplayParams *params, DisplayWay way) {
-    program_draw(use(display, way, params), 0, 0, params->width, params->height);
+static void draw_all(const Program *program, const DisplayParams *params) {
+    program_draw(program, 0, 0, params->width, params->height);
+}
+
+static void draw_raw(const Display *display, const DisplayParams *params) {
+    const Program *program = use(display, DISPLAY_RAW, params);
+    program_set_texture(program, "film_a", params->raw);
+    draw_all(program, params);
+}
+
+static void draw_difference(const Display *display, const DisplayParams *params) {
+    const Program *program = use(display, DISPLAY_DIFFERENCE, params);
+    program_set_texture(program, "film_a", front(params->sides[0].film));
+    program_set_texture(program, "film_b", front(params->sides[1].film));
+    draw_all(program, params);
 }
 
 bool display_draw(const Display *display, const DisplayParams *params, Error *error) {
@@ -78,12 +89,9 @@ bool display_draw(const Display *display, const DisplayParams *params, Error *er
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl->Viewport(0, 0, params->width, params->height);
     if (params->raw) {
-        bind(gl, 0, params->raw);
-        draw_all(display, params, DISPLAY_RAW);
+        draw_raw(display, params);
     } else if (params->difference > 0) {
-        bind(gl, 0, front(sides[0].film));
-        bind(gl, 1, front(sides[1].film));
-        draw_all(display, params, DISPLAY_DIFFERENCE);
+        draw_difference(display, params);
     } else {
         draw_side(display, params, &sides[0], left);
         if (sides[1].film) draw_side(display, params, &sides[1], right);

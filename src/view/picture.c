@@ -197,7 +197,7 @@ void picture_watch(Picture *picture, const ViewState *state, Watch *watch) {
     Error error;
     bool toy = is_toy(picture);
     bool read = toy ? glsl_source_create(&source, params.library, picture->params->path, NULL, &error)
-                    : renderer_flatten(&params, &source, &error);
+                    : pass_trace_text(&params, &source, &error);
     watch_add_file(watch, picture->params->path);
     if (read) watch_add(watch, params.library, &source);
     if (scene.file->spheres[0] && scene_sphere_count(&scene) < 0) watch_spheres(watch, &scene);
@@ -236,10 +236,11 @@ DisplayParams picture_display(const Picture *picture, const ViewState *state) {
 static void fill_side(SideFigures *figures, const Pane *pane) {
     const Renderer *renderer = &pane->renderer;
     if (!renderer->gl) return;
-    const char *disk = renderer->sun_disk.text;
-    bool has_disk = renderer->sun_disk.method->has_disk;
-    snprintf(figures->methods, sizeof figures->methods, "%s, %s, %s%s%s", renderer->sky.choice.text,
-             renderer->light.text, renderer->sequence.text, has_disk ? ", disk " : "", has_disk ? disk : "");
+    const char *disk = renderer->plan.sun.text;
+    bool has_disk = renderer->plan.sun.method->has_disk;
+    snprintf(figures->methods, sizeof figures->methods, "%s, %s, %s%s%s", renderer->plan.sky.text,
+             renderer->plan.light.text, renderer->plan.sequence.text, has_disk ? ", disk " : "",
+             has_disk ? disk : "");
     figures->samples = renderer->film.samples;
     figures->error_percent = pane->error_percent;
     figures->chance_percent = pane->chance_percent;

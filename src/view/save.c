@@ -79,7 +79,7 @@ static void describe(const SaveParams *params, const FilmCount *count, Attribute
         const Renderer *right = &params->sides[1]->renderer;
         attribute_add(
             list, "magichour.right", "sky %s, light %s, sequence %s, sun elevation %.9g azimuth %.9g",
-            right->sky.choice.text, right->light.text, right->sequence.text,
+            right->plan.sky.text, right->plan.light.text, right->plan.sequence.text,
             params->sides[1]->scene.values.sun.elevation_deg, params->sides[1]->scene.values.sun.azimuth_deg);
         if (params->difference > 0)
             attribute_add(list, "magichour.difference", "left - right, colours end at %.9g",

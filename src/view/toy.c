@@ -62,39 +62,37 @@ static void tell_date(const Program *program) {
     program_set_vec4(program, "iDate", date);
 }
 
+/* The first channel is the frame before, the others are black. */
 static void tell_channels(const Toy *toy) {
     static const char *const names[CHANNELS] = {"iChannel0", "iChannel1", "iChannel2", "iChannel3"};
     static const char *const sizes[CHANNELS] = {"iChannelResolution[0]", "iChannelResolution[1]",
                                                 "iChannelResolution[2]", "iChannelResolution[3]"};
-    const Program *program = &toy->program;
-    const GlApi *gl = program->gl;
-    for (int i = 1; i < CHANNELS; i++) {
-        double none[3] = {1, 1, 1};
-        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)i);
-        gl->BindTexture(GL_TEXTURE_2D, 0);
-        program_set_int(program, names[i], i);
-        program_set_vec3(program, sizes[i], none);
-    }
+    static const char *const times[CHANNELS] = {"iChannelTime[0]", "iChannelTime[1]", "iChannelTime[2]",
+                                                "iChannelTime[3]"};
+    static const double none[3] = {1, 1, 1};
     double size[3] = {toy->target.width, toy->target.height, 1};
-    gl->ActiveTexture(GL_TEXTURE0);
-    program_set_vec3(program, sizes[0], size);
-    program_set_vec3(program, "iResolution", size);
+    for (int i = 0; i < CHANNELS; i++) {
+        if (i) program_set_texture(&toy->program, names[i], 0);
+        program_set_vec3(&toy->program, sizes[i], i ? none : size);
+        program_set_float(&toy->program, times[i], toy->time_s);
+    }
+    program_set_vec3(&toy->program, "iResolution", size);
 }
 
-static void tell(const Toy *toy) {
+static bool tell(const Toy *toy, Error *error) {
     static const char *const names[] = {"iChannel0"};
-    static const int units[] = {0};
     const Program *program = &toy->program;
     program_use(program);
     tell_channels(toy);
     tell_date(program);
-    target_begin(&toy->target, program, names, units);
+    target_begin(&toy->target, program, names);
     program_set_float(program, "iTime", toy->time_s);
     program_set_float(program, "iTimeDelta", toy->delta_s);
     program_set_float(program, "iFrameRate", toy->delta_s > 0 ? 1 / toy->delta_s : 60);
     program_set_float(program, "iSampleRate", 44100);
     program_set_int(program, "iFrame", toy->frame);
     program_set_vec4(program, "iMouse", toy->mouse);
+    return program_check(program, error);
 }
 
 bool toy_draw(Toy *toy, double seconds, double time_s, const double mouse[4], bool (*stop)(void),
@@ -105,7 +103,7 @@ bool toy_draw(Toy *toy, double seconds, double time_s, const double mouse[4], bo
         toy->time_s = time_s;
         memcpy(toy->mouse, mouse, sizeof toy->mouse);
     }
-    tell(toy);
+    if (!tell(toy, error)) return false;
     strips_draw_for(&toy->program, target->width, target->height, &toy->row, &toy->pixels_per_second, seconds,
                     stop);
     if (toy->row == target->height) {

@@ -1,0 +1,107 @@
+#include "render/passes.h"
+
+#include "render/inputs.h"
+#include "render/spheres.h"
+#include "sky/irradiance.h"
+#include "sky/sky_sampler.h"
+#include "sky/sun.h"
+
+/* Spheres come first: they alone may be refused, and then no other table has been changed. */
+const ResourceKind *const picture_tables[] = {
+    &drawn_spheres,  &scene_spheres, &file_spheres, &sky_table, &sky_patches,
+    &sky_irradiance, &sky_sampler,   &sun_table,    &sun_cover, NULL};
+
+const Pass trace_pass = {.name = "trace", .entry = "pass/trace.glsl"};
+const Pass sun_image_pass = {.name = "trace with the sun's image", .entry = "pass/trace.glsl", .image = true};
+const Pass aov_pass_entry = {.name = "layers", .entry = "pass/aov.glsl"};
+
+PassList pass_list(const Plan *plan, const RenderParams *params) {
+    PassList list = {0};
+    Camera camera = camera_of(params->scene, plan_width(params), plan_height(params));
+    Frame frame = frame_of(plan, params->scene, &camera);
+    for (const ResourceKind *const *kind = picture_tables; *kind; kind++) {
+        if (!(*kind)->entry || !resource_is_needed(*kind, picture_tables, &frame)) continue;
+        list.passes[list.count++] = (Pass){.name = (*kind)->name, .entry = (*kind)->entry, .fills = *kind};
+    }
+    list.passes[list.count++] = trace_pass;
+    if (plan->sun.method->draws_image) list.passes[list.count++] = sun_image_pass;
+    list.passes[list.count++] = aov_pass_entry;
+    return list;
+}
+
+/* The hints of a kind as GLSL, their words as they are: numbers, or the uniforms of sliders. */
+static void hint_slot(SlotList *slots, const char *name, const Scene *scene, HintKind kind) {
+    const HintInfo *info = hint_info(kind);
+    int count = scene_hint_count(scene, kind);
+    Text text = {0};
+    text_print(&text, "const int %s = %d;\nvec%d %s(int i) {\n", info->constant, count, info->components,
+               info->function);
+    for (int i = 0; i < count; i++) {
+        text_print(&text, "    if (i == %d) return vec%d(", i, info->components);
+        for (int k = 0; k < info->components; k++)
+            text_print(&text, "%sfloat(%s)", k ? ", " : "", scene->file->hints[kind].list[i].words[k]);
+        text_print(&text, ");\n");
+    }
+    text_print(&text, "    return vec%d(0.0);\n}", info->components);
+    slot_text(slots, name, text_string(&text));
+    text_free(&text);
+}
+
+static void scene_slots(SlotList *slots, const Plan *plan, const Scene *scene) {
+    Text inputs = {0};
+    const char *emission = !plan->needs.emits                             ? "emission/none.glsl"
+                           : scene_hint_count(scene, HINT_EMITTER_SPHERE) ? "emission/sampled.glsl"
+                                                                          : "emission/chance.glsl";
+    inputs_declare(plan->needs.inputs, &inputs);
+    slot_text(slots, "inputs", text_string(&inputs));
+    text_free(&inputs);
+    slot_file(slots, "scene", scene->file->path);
+    slot_file(slots, "spheres", spheres_slot(scene));
+    slot_file(slots, "emission", emission);
+    hint_slot(slots, "bounds", scene, HINT_BOUND);
+    hint_slot(slots, "mirror-spheres", scene, HINT_MIRROR_SPHERE);
+    hint_slot(slots, "mirror-planes", scene, HINT_MIRROR_PLANE);
+    hint_slot(slots, "emitter-spheres", scene, HINT_EMITTER_SPHERE);
+}
+
+/* One list serves all programs: an entry file takes the slots that it names. */
+bool pass_text(const Pass *pass, const Plan *plan, const RenderParams *params, GlslSource *source,
+               Error *error) {
+    SlotList slots = {0};
+    sky_slots(&slots, &plan->sky, &params->scene->values.atmosphere);
+    sun_slots(&slots, &plan->sun, params->scene, pass->image);
+    scene_slots(&slots, plan, params->scene);
+    slot_file(&slots, "sequence", plan->sequence.method->file);
+    slot_file(&slots, "light", plan->light.method->file);
+    slot_file(&slots, "scatter", params->variance ? "pass/scatter.glsl" : "pass/scatter_none.glsl");
+    slot_file(&slots, "search", plan->needs.search ? "pass/search.glsl" : "pass/search_none.glsl");
+    slot_file(&slots, "chance", plan_counts_chance(plan) ? "pass/chance.glsl" : "pass/chance_none.glsl");
+    bool ok = glsl_source_create(source, params->library, pass->entry, slots.slots, error);
+    slot_list_free(&slots);
+    return ok;
+}
+
+bool pass_trace_text(const RenderParams *params, GlslSource *source, Error *error) {
+    Plan plan;
+    return plan_make(&plan, params, NULL, error) && pass_text(&trace_pass, &plan, params, source, error);
+}
+
+Frame frame_of(const Plan *plan, const Scene *scene, const Camera *camera) {
+    return (Frame){.state = {scene->values.atmosphere, scene->values.sun},
+                   .sky = &plan->sky,
+                   .light = &plan->light,
+                   .sun_disk = &plan->sun,
+                   .scene = scene,
+                   .camera = *camera};
+}
+
+void frame_uniforms(const Frame *frame, const Plan *plan, unsigned seed, Uniforms *uniforms) {
+    sky_uniforms(frame, uniforms);
+    camera_uniforms(&frame->camera, uniforms);
+    inputs_uniforms(frame, uniforms);
+    uniforms_declared_in(uniforms, "pass/trace.glsl");
+    uniforms_uint(uniforms, "seed", seed);
+    uniforms_int(uniforms, "max_hits", plan->max_hits);
+    uniforms_declared_in(uniforms, "pass/aov.glsl");
+    uniforms_uint(uniforms, "seed", seed);
+}

@@ -1,0 +1,98 @@
+#include "scene/glsl_uniforms.h"
+
+#include "base/memory.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_word(char c) {
+    return isalnum((unsigned char)c) || c == '_';
+}
+
+/* Behind blanks, comments and nothing else. */
+static const char *skip_blanks(const char *at) {
+    for (;;) {
+        if (isspace((unsigned char)*at)) {
+            at++;
+        } else if (at[0] == '/' && at[1] == '/') {
+            at += strcspn(at, "\n");
+        } else if (at[0] == '/' && at[1] == '*') {
+            const char *end = strstr(at + 2, "*/");
+            at = end ? end + 2 : at + strlen(at);
+        } else {
+            return at;
+        }
+    }
+}
+
+/* Copies the word at `at`, cut to the target's size, and returns what follows it. */
+static const char *take_word(const char *at, char *word, size_t size) {
+    size_t length = 0;
+    while (is_word(at[length])) length++;
+    snprintf(word, size, "%.*s", (int)length, at);
+    return at + length;
+}
+
+static void add(GlslUniforms *uniforms, const char *type, const char *name, int file) {
+    GlslUniform *uniform;
+    uniforms->items = memory_grow(uniforms->items, (size_t)uniforms->count + 1, sizeof *uniforms->items);
+    uniform = &uniforms->items[uniforms->count++];
+    *uniform = (GlslUniform){.file = file};
+    snprintf(uniform->type, sizeof uniform->type, "%s", type);
+    snprintf(uniform->name, sizeof uniform->name, "%s", name);
+}
+
+/* `at` stands behind the word `uniform`. Returns what follows the declaration's names. */
+static const char *take_declaration(const char *at, int file, GlslUniforms *uniforms) {
+    char type[32], name[64];
+    at = take_word(skip_blanks(at), type, sizeof type);
+    for (;;) {
+        at = take_word(skip_blanks(at), name, sizeof name);
+        if (!name[0]) return at;
+        add(uniforms, type, name, file);
+        at = skip_blanks(at);
+        if (*at == '[') at = skip_blanks(at + strcspn(at, "];"));
+        if (*at == ']') at = skip_blanks(at + 1);
+        if (*at != ',') return at;
+        at++;
+    }
+}
+
+GlslUniforms glsl_uniforms(const GlslSource *source) {
+    GlslUniforms uniforms = {0};
+    int file = 0;
+    bool line_start = true;
+    for (const char *at = text_string(&source->text); *at;) {
+        const char *next = skip_blanks(at);
+        line_start = line_start || memchr(at, '\n', (size_t)(next - at)) != NULL;
+        at = next;
+        if (!*at) break;
+        if (line_start && sscanf(at, "#line %*d %d", &file) == 1) {
+            at += strcspn(at, "\n");
+            continue;
+        }
+        line_start = false;
+        if (!is_word(*at)) {
+            at++;
+            continue;
+        }
+        char word[16];
+        at = take_word(at, word, sizeof word);
+        if (strcmp(word, "uniform") == 0) at = take_declaration(at, file, &uniforms);
+    }
+    return uniforms;
+}
+
+void glsl_uniforms_free(GlslUniforms *uniforms) {
+    free(uniforms->items);
+    *uniforms = (GlslUniforms){0};
+}
+
+const GlslUniform *glsl_uniforms_find(const GlslUniforms *uniforms, const char *name) {
+    for (int i = 0; i < uniforms->count; i++) {
+        if (strcmp(uniforms->items[i].name, name) == 0) return &uniforms->items[i];
+    }
+    return NULL;
+}

@@ -1,0 +1,25 @@
+/* The uniforms that a flattened text declares. */
+#pragma once
+
+#include "scene/glsl_source.h"
+
+typedef struct GlslUniform {
+    char name[64];
+    /* The type as it is written: "vec3", "sampler2D", or a struct's name. */
+    char type[32];
+    /* The file that declares it, by its number in GlslSource.files. */
+    int file;
+} GlslUniform;
+
+typedef struct GlslUniforms {
+    GlslUniform *items;
+    int count;
+} GlslUniforms;
+
+/* Lists every declaration outside of comments, `uniform vec3 a, b;` as two. To be freed by
+ * glsl_uniforms_free(). */
+GlslUniforms glsl_uniforms(const GlslSource *source);
+void glsl_uniforms_free(GlslUniforms *uniforms);
+
+/* The declaration of that name, or NULL. */
+const GlslUniform *glsl_uniforms_find(const GlslUniforms *uniforms, const char *name);
