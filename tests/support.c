@@ -29,11 +29,21 @@ void support_open(Context *context) {
     if (!context_open(context, "auto", &error)) support_no_gl(error.text);
 }
 
-uint64_t support_samples(uint64_t samples) {
+static uint64_t samples_divisor(void) {
     const char *fewer = getenv("FEWER_SAMPLES");
     uint64_t divisor = fewer ? strtoull(fewer, NULL, 10) : 1;
-    if (divisor > 1) samples /= divisor;
-    return samples < 4 ? 4 : samples;
+    return divisor > 1 ? divisor : 1;
+}
+
+uint64_t support_samples(uint64_t samples) {
+    uint64_t fewer = samples / samples_divisor();
+    return fewer > 0 ? fewer : 1;
+}
+
+int support_block(void) {
+    int side = 1;
+    while ((uint64_t)side * (uint64_t)side < samples_divisor()) side++;
+    return side;
 }
 
 void support_table(const char *kind, const char *format, ...) {

@@ -24,6 +24,10 @@ void support_open(Context *context);
  * FEWER_SAMPLES=N. Its bounds must come from the measured noise. */
 uint64_t support_samples(uint64_t samples);
 
+/* The side of the blocks of pixels that together have the samples that one pixel has without FEWER_SAMPLES:
+ * 1, or more. */
+int support_block(void);
+
 /* Adds a row to a table of tests/README.md, where the environment says MAGICHOUR_TABLE=FILE (tests/table.sh).
  * `kind` tells the tables apart. */
 void support_table(const char *kind, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -84,9 +84,9 @@ static void test_density(void **state) {
         chi2 += (counts[i] - expected[i]) * (counts[i] - expected[i]) / expected[i];
         degrees++;
     }
-    double off = (cbrt(chi2 / degrees) - (1 - 2 / (9 * degrees))) / sqrt(2 / (9 * degrees));
+    double off = ztest_chi_square(chi2, degrees);
     print_message("density: integral %.5f; chi-square %.1f off, %.0f degrees\n", total, off, degrees);
-    assert_true(fabs(total - 1) < 1e-3 && degrees > 50 && fabs(off) < 4);
+    assert_true(fabs(total - 1) < 1e-3 && degrees > 50 && fabs(off) < ztest_limit(1));
 }
 
 static const char lamp_over_plane[] =
@@ -236,7 +236,7 @@ static void test_chance(void **state) {
                  i % 2 ? "sobol" : "random", lights[i]);
         spread_render(with, arguments, 100, &sampled);
         snprintf(name, sizeof name, "lamps, %s", lights[i]);
-        spread_expect_same(name, &sampled, &chance, &pool);
+        spread_expect_same(name, &sampled, &chance, 5, &pool);
     }
     spread_expect_pool("lamps, all lights", &pool);
 }
@@ -267,6 +267,8 @@ static void test_another_renderer(void **state) {
     Image reference, se;
     Error error;
     double sums[2][3] = {{0}};
+    /* The reference's noise is known by pixel only. */
+    if (support_block() > 1) skip();
     spread_render("scenes/box-room.glsl", "--size 128x128 --spp 256 --sequence random", 0, &ours);
     if (!image_read(&reference, "tests/data/box_room.exr", &error) ||
         !image_read(&se, "tests/data/box_room_se.exr", &error))
@@ -286,8 +288,11 @@ static void test_another_renderer(void **state) {
         assert_true(fabs(sums[0][c] / sums[1][c] - 1) < 5e-3);
     }
     assert_true(test.count > SIZE * SIZE);
-    bool square = ztest_mean_square("box room", &test), far = ztest_outliers("box room", &test);
-    if (!square || !far) {
+    double mean = test.z2 / (double)test.count, far = test.far / (double)test.count;
+    print_message("box room: mean z^2 %.3f, |z| > 4 in %.2f %% of %ld values off edges\n", mean, 100 * far,
+                  test.count);
+    /* Its standard errors are estimates, of noise that is not normal. */
+    if (mean > 1.6 || far > 0.01) {
         Image got = spread_image(&ours);
         failed_keep("box room", &got, &reference);
         image_free(&got);

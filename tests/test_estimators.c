@@ -29,7 +29,7 @@ static void compare(const char *scene, const char *common, const char *const *pl
             snprintf(arguments, sizeof arguments, "--size 64x64 %s %s %s", common, places[p], others[k]);
             spread_render(scene, arguments, 100, &b);
             name_comparison(name, scene, places[p], others[k], first);
-            spread_expect_same(name, &b, &a, &pools[k]);
+            spread_expect_same(name, &b, &a, (long)place_count * other_count, &pools[k]);
         }
     }
     for (int k = 0; k < other_count; k++) {
@@ -106,8 +106,12 @@ static void compare_with_another(const char *arguments, const char *reference_na
         ztest_add(&test, ours.mean[i] - (double)reference.rgba[at], both,
                   (SPREAD_SEEDS - 1) * both * both / (ours.variance[i] * ours.variance[i]));
     }
+    print_message("%s: |z| > 4 in %.2f %% of %ld values off edges\n", reference_name,
+                  100 * test.far / (double)test.count, test.count);
     assert_true(test.count > 50000);
-    if (!ztest_outliers(reference_name, &test)) {
+    /* Its standard errors are estimates, of noise that is not normal: one value in a hundred is allowed for
+     * that. */
+    if (test.far > 0.01 * (double)test.count) {
         got = spread_image(&ours);
         failed_keep(reference_name, &got, &reference);
         image_free(&got);
@@ -119,6 +123,8 @@ static void compare_with_another(const char *arguments, const char *reference_na
 
 static void test_another_renderer(void **state) {
     (void)state;
+    /* The reference's noise is known by pixel only. */
+    if (support_block() > 1) skip();
     compare_with_another("--sun 30 --size 256x256 --spp 256 --depth 8", "crater_el30_azz_sphere_sky");
     compare_with_another("--sun -2 --set ball=0 --size 256x256 --spp 256 --depth 8",
                          "crater_el-2_azz_nosphere_sky");

@@ -344,7 +344,7 @@ static void test_estimators(void **state) {
         snprintf(arguments, sizeof arguments, "%s --light cosine --sequence random", common);
         spread_render(paths[i], arguments, 0, &plain);
         spread_render(paths[i], common, 100, &usual);
-        spread_expect_same(paths[i], &usual, &plain, NULL);
+        spread_expect_same(paths[i], &usual, &plain, scenes, NULL);
     }
 }
 

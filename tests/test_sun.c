@@ -1,6 +1,7 @@
 /* The sun's disk: its reflection in a sphere, the light that the sphere throws, its exact image, and what the
  * ground gets. */
 #include "support.h"
+#include "ztest.h"
 
 #include "gl/texture.h"
 #include "sky/sky_sampler.h"
@@ -367,8 +368,8 @@ static void test_sky_sampler(void **state) {
             chi2 += pow(counts[i] - expected[i] * TEXELS, 2) / (expected[i] * TEXELS);
             freedom++;
         }
-        double deviations = (chi2 - freedom) / sqrt(2.0 * freedom);
-        if (fabs(sum - 1) > 1e-4 || fabs(deviations) > 4)
+        double deviations = ztest_chi_square(chi2, freedom);
+        if (fabs(sum - 1) > 1e-4 || fabs(deviations) > ztest_limit(20))
             fail_msg("sun %g,%g: density sums to %.6f; chi-square %.1f deviations off",
                      frame.state.sun.elevation_deg, frame.state.sun.azimuth_deg, sum, deviations);
     }

@@ -17,10 +17,13 @@ static double normal_limit(double tail) {
     return high;
 }
 
+/* 1 - (1 - alarm)^(1/n), without cancellation. */
+static double shared_alarm(long comparisons) {
+    return -expm1(log1p(-ZTEST_ALARM) / (double)(comparisons > 1 ? comparisons : 1));
+}
+
 double ztest_limit(long comparisons) {
-    /* 1 - (1 - alarm)^(1/n), without cancellation. */
-    double each = -expm1(log1p(-ZTEST_ALARM) / (double)comparisons);
-    return normal_limit(0.5 * each);
+    return normal_limit(0.5 * shared_alarm(comparisons));
 }
 
 /* The continued fraction of the incomplete beta function, by Lentz's method (Abramowitz and Stegun 26.5.8).
@@ -42,6 +45,8 @@ static double beta_fraction(double a, double b, double x) {
 }
 
 double ztest_student_tail(double t, double freedom) {
+    /* From here on it is as good as normal. */
+    if (!(freedom < 1e4)) return erfc(t / sqrt(2));
     double a = 0.5 * freedom, b = 0.5, x = freedom / (freedom + t * t);
     double front = exp(lgamma(a + b) - lgamma(a) - lgamma(b) + a * log(x) + b * log1p(-x));
     /* The fraction converges quickly on this side only. */
@@ -49,17 +54,23 @@ double ztest_student_tail(double t, double freedom) {
     return 1 - front * beta_fraction(b, a, 1 - x) / b;
 }
 
-double ztest_count_limit(double expected) {
+double ztest_count_limit(double expected, long comparisons) {
+    double alarm = shared_alarm(comparisons);
     double term = exp(-expected), sum = term;
     int count = 0;
     /* Where the first term is too small for a double, the normal distribution is close. */
-    if (expected > 500) return expected + normal_limit(ZTEST_ALARM) * sqrt(expected);
-    while (1 - sum > ZTEST_ALARM) sum += term *= expected / ++count;
+    if (expected > 500) return expected + normal_limit(alarm) * sqrt(expected);
+    while (1 - sum > alarm) sum += term *= expected / ++count;
     return count;
 }
 
+double ztest_chi_square(double chi2, double freedom) {
+    double spread = 2 / (9 * freedom);
+    return (cbrt(chi2 / freedom) - (1 - spread)) / sqrt(spread);
+}
+
 void ztest_add(ZTest *test, double difference, double variance, double freedom) {
-    double z2 = difference * difference / variance, n = freedom;
+    double z2 = difference * difference / variance, n = fmin(freedom, 1e6);
     test->z2 += z2;
     test->expected += n / (n - 2);
     test->spread += 2 * n * n * (n - 1) / ((n - 2) * (n - 2) * (n - 4));
@@ -80,7 +91,7 @@ void ztest_pool(ZTest *pool, const ZTest *test) {
 
 bool ztest_mean_square(const char *name, const ZTest *test) {
     double n = (double)test->count, mean = test->z2 / n, expected = test->expected / n;
-    double margin = ztest_limit(1) * sqrt(test->spread * test->together) / n;
+    double margin = ztest_limit(test->comparisons) * sqrt(test->spread * test->together) / n;
     double low = fmin(expected, 1) - margin, high = expected + margin;
     bool ok = mean > low && mean < high;
     print_message("%s: mean z^2 %.3f, expected %.3f, limits %.3f to %.3f%s\n", name, mean, expected, low,
@@ -89,7 +100,7 @@ bool ztest_mean_square(const char *name, const ZTest *test) {
 }
 
 bool ztest_outliers(const char *name, const ZTest *test) {
-    double limit = test->together * ztest_count_limit(test->far_expected / test->together);
+    double limit = test->together * ztest_count_limit(test->far_expected / test->together, test->comparisons);
     bool ok = test->far <= limit;
     print_message("%s: |z| > 4 in %.3f %% of %ld, expected %.3f %%, limit %.3f %%%s\n", name,
                   100 * test->far / (double)test->count, test->count,

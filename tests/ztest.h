@@ -17,14 +17,20 @@ double ztest_limit(long comparisons);
 /* The probability that |t| is larger, for Student's t with so many degrees of freedom. */
 double ztest_student_tail(double t, double freedom);
 
-/* How many events there are at most where so many are expected (Poisson). */
-double ztest_count_limit(double expected);
+/* How many events there are at most where so many are expected (Poisson), in the largest of so many
+ * comparisons. */
+double ztest_count_limit(double expected, long comparisons);
+
+/* A chi-square as a normal number of variance 1 (Wilson and Hilferty), to be held against ztest_limit(). */
+double ztest_chi_square(double chi2, double freedom);
 
 /* Values of two pictures compared one by one: z is their difference over its standard error, which is itself
  * an estimate, so that z is distributed as Student's t. */
 typedef struct ZTest {
     /* How many values in a row have the same random numbers (a pixel's three channels) and count as one. */
     int together;
+    /* How many such tests share the rate of false alarms; 0 is one. */
+    long comparisons;
     long count;
     /* Sums over the values: of z^2, of what it is expected to be, and of its variance. */
     double z2, expected, spread;
