@@ -147,7 +147,8 @@ static void side_section(const SideFigures *side) {
     ImGui::TextUnformatted(text);
     ImGui::PushTextWrapPos(em(panel_width));
     if (side->chance_percent > 0)
-        ImGui::Text("%.2g %% of the light is found by chance: the error may not know it", side->chance_percent);
+        ImGui::Text("%.2g %% of the light is found by chance: the error may not know it",
+                    side->chance_percent);
     ImGui::TextColored(grey, "%s", side->methods);
     ImGui::PopTextWrapPos();
     curve_plot(&side->curve);
