@@ -89,8 +89,8 @@ void film_splat_end(Film *film, double paths) {
     film->light_paths += paths;
 }
 
-/* What the second sum adds to the means of a rectangle's pixels, 4 floats a pixel; zero where it holds
- * nothing. */
+/* Reads what the second sum adds to the means of a rectangle's pixels: 4 floats a pixel, 0 where there is no
+ * second sum. */
 static bool read_splats(const Film *film, const Rectangle *r, float *rgba, Error *error) {
     const GlApi *gl = film->target.gl;
     size_t count = (size_t)r->width * (size_t)r->height * 4;
@@ -107,7 +107,7 @@ static bool read_splats(const Film *film, const Rectangle *r, float *rgba, Error
     return gl_check(gl, "reading splatted light back", error);
 }
 
-/* Adds them to an image of means. */
+/* Adds the second sum's light to an image of means. */
 static bool join_splats(const Film *film, Image *image, Error *error) {
     if (!film->splat) return true;
     size_t pixels = pixel_count(film);
@@ -182,7 +182,7 @@ bool film_read_search(const Film *film, FilmSearch *search, Error *error) {
     return ok;
 }
 
-/* By each pixel's samples: adaptive sampling gives some pixels more. */
+/* Each pixel is divided by its own number of samples, because adaptive sampling gives some pixels more. */
 static FilmChance add_up_chance(const float *chances, const float *sums, size_t pixels) {
     enum { MATERIALS = 20 };
     FilmChance chance = {0};

@@ -1,31 +1,36 @@
-/* The film: per pixel the sum of its samples, kept in float textures that a pass reads and writes in turn.
+/* The film holds, for each pixel, the sum of its samples. The sums are float textures on two sides: a pass
+ * reads one side and writes the other.
  *
- * Two RGBA32F textures a side. `sum`: radiance rgb and, in alpha, the samples taken in. `rest`: what each
- * addition to the sum rounded away (rgb), and the samples rejected because they were not finite (alpha). So a
- * mean keeps float's precision after any number of samples; a plain float sum stalls when a group falls below
- * its last bit.
+ * Each side has two RGBA32F textures. `sum` holds the radiance (rgb) and the number of accepted samples
+ * (alpha). `rest` holds what each addition to the sum rounded away (rgb) and the number of samples that were
+ * rejected because they were not finite (alpha). With it a mean keeps float's precision after any number of
+ * samples; a plain float sum stalls when a group of samples falls below its last bit.
  *
- * A film that is to know its error has a third, `scatter`: how the groups' means scatter about the mean, sum
- * of n_g (m_g - m)^2 over groups of n_g samples and mean m_g (rgb), and the number of groups (alpha). Over
- * groups - 1 it estimates a sample's variance, whatever their sizes; over samples more, the mean's. So it is
- * where samples are independent (--sequence random). The groups of one low-discrepancy sequence fill each
- * other's gaps, which makes the mean better than its groups' scatter tells: there it is an upper estimate.
+ * With FILM_SCATTER there is a third texture, `scatter`, from which the error is estimated: the sum of n_g
+ * (m_g - m)^2 over groups of n_g samples with means m_g, where m is the mean of all (rgb), and the number of
+ * groups (alpha). Divided by groups - 1 it estimates the variance of a sample, whatever the sizes of the
+ * groups; divided by the number of samples too, the variance of the mean. Both hold for independent samples
+ * (--sequence random). The groups of a low-discrepancy sequence fill each other's gaps, so the mean is better
+ * than the scatter of its groups: there the estimate is an upper one.
  *
- * A film of a scene that searches (march()) has a fourth, `search`: rays that searched, their steps, those
- * that met a field that is no distance, and those that took all the steps they may.
+ * With FILM_SEARCH, for scenes whose rays search by steps (march()), there is a fourth, `search`: the number
+ * of rays that searched, of their steps, of rays that met a field that is no distance, and of rays that took
+ * all the steps that they may.
  *
- * A film of a picture in which some sunlight is left to chance has a fifth, `chance`: paths whose sunlight
- * was left to chance, the luminance that they are expected to bring from the sun, the luminance that they did
- * bring, and a bit for each material that threw some of it (glsl/sun/count.glsl).
+ * With FILM_CHANCE there is a fifth, `chance`, for pictures in which some sunlight is left to chance: no
+ * method samples it, so a path finds it only by luck. The texture holds the number of paths to which that
+ * happened, the luminance that they are expected to bring from the sun, the luminance that they did bring,
+ * and a bit for each material that threw some of it (glsl/sun/count.glsl).
  *
- * A film of a scene whose light is traced from the lights to the camera too has a second sum, `splat`: that
- * light falls on any pixel, and is added there point by point (rgb; alpha counts the points). It belongs to
- * the picture as a whole: the mean of a pixel is sum / samples + scale * splat / light paths. The second sum
- * is a plain float sum, which loses less than 1e-4 of itself up to a million points a pixel.
+ * With FILM_SPLAT there is a second sum, `splat`, for light that is traced from the lights to the camera.
+ * Such light falls on any pixel and is added point by point (rgb; alpha counts the points). It belongs to the
+ * picture as a whole: the mean of a pixel is sum / samples + scale * splat / light paths. The second sum is a
+ * plain float sum, which loses less than 1e-4 of itself up to a million points a pixel.
  *
- * A pass's fragment shader includes pass/film.glsl and calls film_add() once a pixel, and before it
- * film_scatter() of pass/scatter.glsl, film_search() of pass/search.glsl and film_chance() of
- * pass/chance.glsl, or of the files NAME_none.glsl. Row 0 is the picture's top. */
+ * The fragment shader of a pass includes pass/film.glsl and calls film_add() once a pixel. Before it, it
+ * calls film_scatter() of pass/scatter.glsl, film_search() of pass/search.glsl and film_chance() of
+ * pass/chance.glsl, or the functions of the same name in the files NAME_none.glsl. Row 0 is the picture's
+ * top. */
 #pragma once
 
 #include "gl/target.h"
@@ -37,83 +42,92 @@ enum { FILM_SCATTER = 1, FILM_SEARCH = 2, FILM_SPLAT = 4, FILM_CHANCE = 8 };
 
 typedef struct Film {
     int width, height;
-    unsigned parts;   /* beside sum and rest */
-    Target target;    /* textures: sum, rest, scatter, search, chance */
-    uint64_t samples; /* a pixel, in committed passes over all pixels */
-    /* The second sum; 0 where there is none. */
+    /* FILM_SCATTER and the like: what it has beside sum and rest. */
+    unsigned parts;
+    /* Its textures are sum, rest, scatter, search and chance. */
+    Target target;
+    /* Samples of each pixel, of the committed passes that drew all pixels. */
+    uint64_t samples;
+    /* The second sum's texture and its framebuffer; 0 without FILM_SPLAT. */
     GLuint splat, splat_framebuffer;
-    /* Paths whose light the second sum holds, counting those that reached no pixel. */
+    /* The number of light paths in the second sum, including those that reached no pixel. */
     double light_paths;
-    /* The radiance of a pixel for splat / light_paths = 1; 1 unless the user of the film sets another. */
+    /* The radiance of a pixel for splat / light_paths = 1. It is 1 unless the film's user sets another. */
     double splat_scale;
 } Film;
 
 typedef struct FilmCount {
-    uint64_t accepted, rejected; /* samples, over all pixels */
+    /* Numbers of samples, over all pixels. */
+    uint64_t accepted, rejected;
 } FilmCount;
 
-/* Over all pixels and samples; what was counted beyond 2^24 a pixel is rounded. */
+/* Counts over all pixels and samples. Counts above 2^24 in a pixel are rounded. */
 typedef struct FilmSearch {
     double rays, steps, broken, cut;
 } FilmSearch;
 
-/* What a picture leaves to chance: shares of its paths, of its pixels and of its light, 0 to 1, and a bit for
- * each material that throws a hundredth of that light or more. The share of the light is what the expected
- * light is of the picture's, whether the picture has found it yet or not. */
+/* How much of a picture is left to chance, as shares from 0 to 1 of its paths, of its pixels and of its
+ * light. `light` divides the light that is expected to be found only by luck by the picture's light with all
+ * of it, whether or not the picture has found it yet. `materials` has a bit for each material that throws at
+ * least a hundredth of that light. */
 typedef struct FilmChance {
     double paths, pixels, light;
     unsigned materials;
 } FilmChance;
 
-/* `parts`: of FILM_SCATTER, for film_read_variance(); FILM_SEARCH, for film_read_search(); FILM_SPLAT, for
- * film_splat_begin(); FILM_CHANCE, for film_read_chance(). */
+/* Creates an empty film. `parts`: FILM_SCATTER is needed for film_read_variance(), FILM_SEARCH for
+ * film_read_search(), FILM_SPLAT for film_splat_begin(), FILM_CHANCE for film_read_chance(). */
 MUST_CHECK bool film_create(Film *film, const Context *context, int width, int height, unsigned parts,
                             Error *error);
 void film_destroy(Film *film);
 
-/* Forgets all samples. */
+/* Removes all samples. */
 void film_reset(Film *film);
 
-/* Starts a pass: binds the back side as target and the front side as the textures that pass/film.glsl reads.
- * The program must be in use. Any number of draws may follow, each on rows of its own. */
+/* Starts a pass: the back side is drawn into, and pass/film.glsl reads the front side's textures. The program
+ * must be in use. Any number of draws may follow, each on rows of its own. */
 void film_begin(Film *film, const Program *program);
 
-/* Copies these regions from the front to the back, so that passes that leave them out leave them as they are:
- * for the first such pass all of the picture, and from then on what each drew and the next will not. */
+/* Call this before a pass that does not draw every pixel. It copies `regions` from the front to the back, so
+ * that pixels which the pass skips keep their value. Before the first such pass the regions are the whole
+ * picture; later, those that the pass before drew and this one will not. */
 void film_keep(Film *film, const Rectangle *regions, int count);
 
-/* Ends a pass in which every pixel was drawn once: the back becomes the front. A pass that is begun and not
- * committed never was. */
+/* Ends a pass in which every pixel was drawn once or kept: the back becomes the front, and `samples` is added
+ * to film->samples. If a pass is begun but not committed, the film is unchanged. */
 void film_commit(Film *film, uint64_t samples);
 
-/* Between these two, points are added to the second sum: program_draw_points() with a program of
- * program_create_points(), which is in use and told `splat_size` by film_splat_begin(). `paths` is how many
- * light paths the points stand for. A draw that was left out costs nothing but its paths. */
+/* Between these two calls program_draw_points() adds points to the second sum. The program is one of
+ * program_create_points() and in use; film_splat_begin() sets its `splat_size`. `paths` is the number of
+ * light paths that the points stand for. If a draw was left out, leave its paths out too. */
 void film_splat_begin(const Film *film, const Program *program);
 void film_splat_end(Film *film, double paths);
 
-/* The mean radiance, with the second sum's, alpha 1 where a sample was accepted and 0 elsewhere, and the
- * counts. */
+/* Reads the mean radiance, including the second sum. Alpha is 1 where a sample was accepted and 0 elsewhere.
+ * On success the caller frees the image. */
 MUST_CHECK bool film_read(const Film *film, Image *image, FilmCount *count, Error *error);
 
-/* Accepted samples: one float a pixel. */
+/* Reads the number of accepted samples: one float a pixel. */
 MUST_CHECK bool film_read_samples(const Film *film, float *samples, Error *error);
 
-/* The estimated variance of each pixel's mean: 3 floats a pixel, NaN where fewer than two groups were taken
- * and it is not known. Of a film with `scatter`. */
+/* Reads the estimated variance of each pixel's mean: 3 floats a pixel, NaN where fewer than two groups were
+ * taken. The film must have FILM_SCATTER. */
 MUST_CHECK bool film_read_variance(const Film *film, float *rgb, Error *error);
 
-/* All zero for a film without `search`. */
+/* All counts are 0 for a film without FILM_SEARCH. */
 MUST_CHECK bool film_read_search(const Film *film, FilmSearch *search, Error *error);
 
-/* All zero for a film without `chance`. */
+/* All shares are 0 for a film without FILM_CHANCE. */
 MUST_CHECK bool film_read_chance(const Film *film, FilmChance *chance, Error *error);
 
-/* What a film with `scatter` knows of one pixel. */
+/* One pixel of a film with FILM_SCATTER. */
 typedef struct FilmPixel {
-    double radiance[3]; /* the mean, with the second sum's */
-    double samples;     /* accepted */
-    double variance[3]; /* of the mean, as film_read_variance() has it */
+    /* The mean, including the second sum. */
+    double radiance[3];
+    /* The number of accepted samples. */
+    double samples;
+    /* The estimated variance of the mean, as in film_read_variance(). */
+    double variance[3];
 } FilmPixel;
 
 MUST_CHECK bool film_read_pixel(const Film *film, int x, int y, FilmPixel *pixel, Error *error);

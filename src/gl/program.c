@@ -15,8 +15,8 @@ static const char vertex_source[] =
     "    gl_Position = vec4(corner, 0.0, 1.0);\n"
     "}\n";
 
-/* A point for each texel of two textures: in the middle of the pixel that one of them names, with the light
- * that the other holds. A point that names no pixel of the picture is clipped away. */
+/* Draws one point for each texel of two textures: it lies in the middle of the pixel that one texture names
+ * and has the light that the other holds. A point that names no pixel of the picture is clipped away. */
 static const char points_source[] = "#version 330 core\n"
                                     "uniform sampler2D splat_places;\n"
                                     "uniform sampler2D splat_lights;\n"
@@ -30,7 +30,7 @@ static const char points_source[] = "#version 330 core\n"
                                     "    gl_Position = vec4(2.0 * pixel / splat_size.xy - 1.0, 0.0, 1.0);\n"
                                     "}\n";
 
-/* Shaders and programs give their logs through functions of the same shape. */
+/* Reads the log of a shader or a program: the functions for both have the same types. */
 static void append_log(PFNGLGETSHADERIVPROC get, PFNGLGETSHADERINFOLOGPROC get_log, GLuint object,
                        Text *log) {
     GLint length = 0;
@@ -108,7 +108,7 @@ void program_use(const Program *program) {
     program->gl->UseProgram(program->id);
 }
 
-/* Puts the textures that the program was given on their units. */
+/* Binds the textures that the program was given to their units. */
 static void bind_textures(const Program *program) {
     const GlApi *gl = program->gl;
     for (int i = 0; i < program->table->count; i++) {
@@ -120,7 +120,7 @@ static void bind_textures(const Program *program) {
     gl->ActiveTexture(GL_TEXTURE0);
 }
 
-/* Where to set it; -1, which OpenGL passes over, where the compiler dropped it. */
+/* The uniform's location, or -1 if the compiler dropped it; OpenGL ignores a value for -1. */
 static GLint locate(const Program *program, const char *name) {
     ProgramUniform *uniform = program_table_find(program->table, name);
     if (!uniform) return -1;

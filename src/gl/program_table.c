@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* "gauss_table.node[0]" is "gauss_table.node", and that is declared as "gauss_table". */
+/* OpenGL's name "gauss_table.node[0]" becomes "gauss_table.node" here, and the text declares it as
+ * "gauss_table". */
 static size_t length_of_base(const char *name) {
     const char *bracket = strrchr(name, '[');
     return bracket ? (size_t)(bracket - name) : strlen(name);
@@ -32,7 +33,7 @@ bool program_table_includes(const ProgramTable *table, const char *file) {
     return has_word(&table->files, file, strlen(file), true);
 }
 
-/* Declared by a file of the library's pass/ folder, which owns what the host sets. */
+/* Whether a file of the library's pass/ folder declares it. The host sets all uniforms of that folder. */
 static bool is_owed(const GlslUniforms *declared, const GlslSource *source, const char *name) {
     char base[80];
     snprintf(base, sizeof base, "%.*s", (int)strcspn(name, ".["), name);
@@ -64,7 +65,7 @@ static void read_uniforms(ProgramTable *table, const GlApi *gl, GLuint id, const
     }
 }
 
-/* In the order of the declarations, which does not depend on the driver. */
+/* Units are given in the order of the declarations, which does not depend on the driver. */
 static void give_units(ProgramTable *table, const GlApi *gl, const GlslUniforms *declared) {
     int unit = 0;
     for (int i = 0; i < declared->count; i++) {

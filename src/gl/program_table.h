@@ -1,4 +1,5 @@
-/* What a program declares, and what it was given: the part of gl/program.h that is about names. */
+/* The uniforms that a program declares and the values that were set: the part of gl/program.h that is about
+ * names. */
 #pragma once
 
 #include "gl/gl_api.h"
@@ -8,10 +9,10 @@
 typedef struct ProgramUniform {
     char name[80];
     GLint location;
-    /* Whether the host has to set it: the library's pass/ files declare it, and not the scene. */
+    /* Whether the host must set it: a file of the library's pass/ folder declares it, not the scene. */
     bool owed;
     bool set;
-    /* The texture unit of a sampler, -1 for all others, and the texture that it was given. */
+    /* The texture unit and the texture of a sampler; the unit is -1 for all other uniforms. */
     int unit;
     GLuint texture;
 } ProgramUniform;
@@ -19,23 +20,23 @@ typedef struct ProgramUniform {
 typedef struct ProgramTable {
     ProgramUniform *uniforms;
     int count;
-    /* Words with blanks around each: the names that the text declares, and the paths of its files. */
+    /* The names that the text declares, and the paths of its files: words with a blank on each side. */
     Text declared, files;
-    /* The first name that was set and is not declared; empty at best. */
+    /* The first name that was set although the text does not declare it; empty if there is none. */
     char unknown[80];
 } ProgramTable;
 
-/* Reads what the linked program `id` has, and gives units to its samplers, from 0 in the order of their
- * declaration. It must be in use. */
+/* Lists the uniforms of the linked program `id`, which must be in use, and gives units to its samplers, from
+ * 0 in the order of their declarations. */
 ProgramTable *program_table_create(const GlApi *gl, GLuint id, const GlslSource *source);
 void program_table_destroy(ProgramTable *table);
 
-/* The uniform of that name, which may end in an index such as "[2]"; NULL where the compiler dropped it. A
- * name that is not declared is remembered. */
+/* The uniform of that name, or NULL if the compiler dropped it. The name may end in an index such as "[2]". A
+ * name that the text does not declare is noted in `unknown`. */
 ProgramUniform *program_table_find(ProgramTable *table, const char *name);
 
-/* Whether one of the program's files is the library's `file`, such as "pass/camera.glsl". */
+/* Whether the library's `file`, such as "pass/camera.glsl", is one of the program's files. */
 bool program_table_includes(const ProgramTable *table, const char *file);
 
-/* Whether the text declares that name, whatever the compiler did with it. */
+/* Whether the text declares that name, even if the compiler dropped it. */
 bool program_table_declares(const ProgramTable *table, const char *name);

@@ -25,7 +25,7 @@ static void destroy(Resource *resource) {
     free(resource);
 }
 
-/* A framebuffer whose outputs are the textures. */
+/* Creates a framebuffer whose outputs are the textures. */
 static void create_framebuffer(Resource *resource) {
     GLenum targets[RESOURCE_TEXTURES];
     const GlApi *gl = resource->gl;
@@ -103,7 +103,7 @@ static bool resize(Resource *resource, const void *frame, Error *error) {
     return true;
 }
 
-/* Tables that come before it are what its program may read. */
+/* The program may read only the tables in `before`. */
 static bool draw(Resource *resource, const Resources *before, const void *frame, const Uniforms *uniforms,
                  Error *error) {
     const GlApi *gl = resource->gl;
@@ -118,7 +118,7 @@ static bool draw(Resource *resource, const Resources *before, const void *frame,
     return true;
 }
 
-/* What the content depends on: the frame's part of it, and how often the inputs were filled. */
+/* Writes what the content depends on: the frame's part, and how often each input was filled. */
 static void write_key(const Resource *resource, const void *frame, Text *key) {
     if (resource->kind->key) resource->kind->key(frame, key);
     for (int i = 0; i < RESOURCE_INPUTS; i++) {

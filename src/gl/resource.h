@@ -1,9 +1,8 @@
-/* A table that programs look things up in: textures that are filled when what they depend on has changed, and
- * only then.
+/* A table that programs read: textures that are filled when what they depend on has changed, and only then.
  *
- * What kinds of table there are is data: a ResourceKind for each, in the file that the table is about. A set
- * of them is made and kept up to date by the same few functions. What tables are made from, the `frame`, is
- * known to the kinds and to their user alone. */
+ * The kinds of tables are data: each is a ResourceKind, in the file whose subject the table is. The functions
+ * below create a set of tables and keep it up to date. They pass on the `frame`, from which tables are made,
+ * without reading it: only the kinds and their user have its type. */
 #pragma once
 
 #include "gl/program.h"
@@ -14,27 +13,29 @@ typedef struct Resource Resource;
 typedef struct ResourceKind ResourceKind;
 
 struct ResourceKind {
-    /* For errors and lists: "the sky's table". */
+    /* For errors and lists, such as "the sky's table". */
     const char *name;
-    /* The library's file that draws it, an output for each texture; NULL where compute() fills it. */
+    /* The library's file whose program draws it, with one output for each texture; NULL where compute() fills
+     * it. */
     const char *entry;
-    /* The samplers under which programs read its textures; NULL for a texture that it does not have. */
+    /* The samplers through which programs read its textures; NULL for a texture that it does not have. */
     const char *samplers[RESOURCE_TEXTURES];
     /* GL_NEAREST or GL_LINEAR. */
     GLint filter;
-    /* The kinds that are made before it because `entry` or compute() reads them. */
+    /* The kinds that are filled before this one, because `entry` or compute() reads them. */
     const ResourceKind *inputs[RESOURCE_INPUTS];
-    /* Whether a frame needs it for its own sake. An input of a table that is needed is needed too. */
+    /* Whether a frame needs it even if no other table does. An input of a table that is needed is needed
+     * too. */
     bool (*wanted)(const void *frame);
-    /* Texels of a table that is drawn. */
+    /* The size in texels of a table that is drawn. */
     void (*size)(const void *frame, int *width, int *height);
-    /* Appends the bytes that the content depends on, beside the inputs. NULL where it depends on the inputs
+    /* Appends the bytes on which the content depends, beside the inputs. NULL where it depends on the inputs
      * alone. */
     void (*key)(const void *frame, Text *key);
-    /* Fills the textures of a table that is not drawn, by resource_upload(). */
+    /* Fills the textures of a table that is not drawn, with resource_upload(). */
     bool (*compute)(Resource *resource, const void *frame, Error *error);
-    /* Adds what programs have to know beside the textures. NULL where that is nothing. `resource` is NULL, or
-     * not filled yet, where the uniforms are only listed. */
+    /* Adds the uniforms that programs need beside the textures; NULL where there are none. `resource` is NULL
+     * or not filled yet if the uniforms are only listed. */
     void (*uniforms)(const Resource *resource, const void *frame, Uniforms *uniforms);
 };
 
@@ -42,15 +43,15 @@ struct Resource {
     const ResourceKind *kind;
     const GlApi *gl;
     int max_texture_size;
-    /* Empty where there is no entry. */
+    /* Empty for a kind without `entry`. */
     Program program;
     GLuint textures[RESOURCE_TEXTURES], framebuffer;
     int width, height;
     const Resource *inputs[RESOURCE_INPUTS];
     Text filled_for;
-    /* How often it was filled. */
+    /* The number of times that it was filled. */
     int fills;
-    /* For compute(), of what uniforms() tells: such as how many entries a list has. */
+    /* A number that compute() leaves for uniforms(), such as the number of entries in a list. */
     int entries;
 };
 
@@ -59,37 +60,37 @@ typedef struct Resources {
     int count;
 } Resources;
 
-/* Makes the text of a program from a library's entry file. */
+/* make() writes the text of a program from one of the library's entry files. */
 typedef struct ResourceTexts {
     bool (*make)(const void *data, const char *entry, GlslSource *source, Error *error);
     const void *data;
 } ResourceTexts;
 
-/* Creates the tables of `kinds` (ends with NULL; inputs come before their users) that the frame needs, and
- * compiles their programs. */
+/* Creates the tables of `kinds` that the frame needs, and compiles their programs. `kinds` ends with NULL,
+ * and inputs come before the kinds that read them. */
 MUST_CHECK bool resources_create(Resources *resources, const Context *context,
                                  const ResourceKind *const *kinds, const void *frame,
                                  const ResourceTexts *texts, Error *error);
 void resources_destroy(Resources *resources);
 
-/* Whether the frame needs a table of that kind, for its own sake or as another's input. */
+/* Whether the frame needs a table of that kind, by itself or as another table's input. */
 bool resource_is_needed(const ResourceKind *kind, const ResourceKind *const *kinds, const void *frame);
 
-/* Fills the tables that have to be filled for this frame. `uniforms` holds what the frame tells all programs;
- * what the tables tell is added to it. The framebuffer that is bound and the program in use change. */
+/* Fills the tables whose content is out of date for this frame. `uniforms` holds the frame's uniforms; those
+ * of the tables are added to it. The bound framebuffer and the program in use change. */
 MUST_CHECK bool resources_prepare(Resources *resources, const void *frame, Uniforms *uniforms, Error *error);
 
-/* Adds what the tables tell, as they are. */
+/* Adds the tables' uniforms without filling the tables. */
 void resources_uniforms(const Resources *resources, const void *frame, Uniforms *uniforms);
 
-/* Gives the program in use the textures that it declares. */
+/* Sets the textures of the samplers that the program in use declares. */
 void resources_give(const Resources *resources, const Program *program);
 
-/* The table of that kind, or NULL. */
+/* The table of that kind, or NULL if the set has none. */
 Resource *resources_find(const Resources *resources, const ResourceKind *kind);
 
-/* For compute(): gives texture i a size and its content, 4 floats a texel, row 0 first. */
+/* For compute(): sets the size and the content of texture i, 4 floats a texel, row 0 first. */
 void resource_upload(Resource *resource, int i, int width, int height, const float *texels);
 
-/* For compute(): texture i of a table that was drawn, read back. */
+/* For compute(): reads texture i of a table that was drawn, 4 floats a texel, row 0 first. */
 MUST_CHECK bool resource_read(const Resource *resource, int i, float *texels, Error *error);

@@ -2,7 +2,7 @@
 
 #include "gl/texture.h"
 
-/* The textures that there are, as what the bound framebuffer is drawn into. */
+/* Makes all textures of the bound framebuffer the ones that are drawn into. */
 static void draw_to_all(const Target *target) {
     GLenum buffers[TARGET_TEXTURES];
     for (int i = 0; i < TARGET_TEXTURES; i++)

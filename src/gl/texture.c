@@ -1,7 +1,7 @@
 #include "gl/texture.h"
 
-/* Textures are changed on a unit that no program's samplers get, so that what a program in use has bound
- * stays bound. OpenGL 3.3 promises 48 units in all and 16 to a fragment program. */
+/* Textures are changed on a unit that no program's sampler gets, so that the textures of the program in use
+ * stay bound. OpenGL 3.3 promises 48 units in all and 16 for a fragment program. */
 enum { SPARE_UNIT = 40 };
 
 static void bind_to_change(const GlApi *gl, GLuint texture) {

@@ -1,5 +1,5 @@
-/* Values for uniforms as data: collected before there is a program, given to all programs that have them, and
- * written down by `flatten --json`. */
+/* Uniforms and their values as data. They are collected before there is a program, set in every program that
+ * has them, and written by `flatten --json`. */
 #pragma once
 
 #include <stdbool.h>
@@ -10,18 +10,19 @@ typedef enum UniformType {
     UNIFORM_UINT,
     UNIFORM_VEC3,
     UNIFORM_VEC4,
-    /* float name[count] */
+    /* An array: float name[count]. */
     UNIFORM_FLOATS
 } UniformType;
 
 typedef struct Uniform {
-    /* The library's file that declares it; NULL for a uniform of the scene's own. */
+    /* The library's file that declares it; NULL for a uniform that the scene declares. */
     const char *file;
     char name[80];
     UniformType type;
-    /* One for all types but UNIFORM_FLOATS. */
+    /* The length of the array for UNIFORM_FLOATS, else 1. */
     int count;
-    /* The components of a scalar or a vector; UNIFORM_FLOATS has `many`, which the list owns. */
+    /* `values` holds the components of a scalar or a vector. For UNIFORM_FLOATS `many` holds the array, which
+     * the list owns. */
     double values[4];
     double *many;
 } Uniform;
@@ -30,18 +31,18 @@ typedef struct Uniform {
 typedef struct Uniforms {
     Uniform *items;
     int count;
-    /* Where the next ones are declared. */
+    /* The file that declares the uniforms which are added next. */
     const char *file;
 } Uniforms;
 
 void uniforms_free(Uniforms *uniforms);
 
-/* Says which of the library's files declares the uniforms that are added from here on, such as
- * "pass/camera.glsl". A program that is made without that file is not given them, and a program that is made
- * with it must declare each. NULL: they are the scene's. */
+/* Sets the library's file that declares the uniforms which are added from here on, such as
+ * "pass/camera.glsl". They are set only in programs that include this file, and such a program must declare
+ * each of them. NULL: the scene declares them. */
 void uniforms_declared_in(Uniforms *uniforms, const char *file);
 
-/* The name is copied. */
+/* These add a uniform to the list and copy the name. */
 void uniforms_float(Uniforms *uniforms, const char *name, double value);
 void uniforms_int(Uniforms *uniforms, const char *name, int value);
 void uniforms_uint(Uniforms *uniforms, const char *name, unsigned value);
