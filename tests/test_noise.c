@@ -100,20 +100,21 @@ static void test_every_scene(void **state) {
 static void test_lost_optimisation(void **state) {
     (void)state;
     static const char *const lost[][3] = {
-        {"scenes/crater.glsl", "off", " --light cosine"},
         {"scenes/crater.glsl", "off", " --sequence random"},
-        {"scenes/crater.glsl", "auto", " --sun-disk=chance"},
+        {"scenes/fences.glsl", "off", " --light cosine"},
         {"scenes/pillars.glsl", "off", " --light cosine"},
     };
     static Spread spread;
     if (support_block() > 1) skip();
+    size_t seen = 0;
     for (size_t i = 0; i < sizeof lost / sizeof *lost; i++) {
         double expected = expected_percent(lost[i][0], lost[i][1]);
         double got = measure(lost[i][0], lost[i][1], lost[i][2], 0, &spread);
         print_message("%s%s: noise %.3f %%, %.2f of the table's\n", lost[i][0], lost[i][2], got,
                       got / expected);
-        assert_true(got > margin * expected);
+        seen += got > margin * expected;
     }
+    assert_int_equal(seen, sizeof lost / sizeof *lost);
 }
 
 /* A second run with other seeds goes to standard error: by how much chance changes the figures. */
@@ -141,5 +142,6 @@ int main(int argc, char **argv) {
         write_table(NULL);
         return 0;
     }
+    if (argc > 1) cmocka_set_test_filter(argv[1]);
     return cmocka_run_group_tests_name("noise", tests, support_folder, support_clean);
 }
