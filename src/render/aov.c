@@ -61,7 +61,7 @@ static bool create_program(Program *program, const Context *context, const Rende
     return ok;
 }
 
-/* The picture's tables are filled: only what they tell is collected here. */
+/* Collects the tables' uniforms only: the picture has filled the tables already. */
 static bool tell(const Aov *aov, const RenderParams *params, const Renderer *renderer, Error *error) {
     Frame frame = frame_of(&renderer->plan, params->scene, &renderer->camera);
     Uniforms uniforms = {0};
@@ -117,7 +117,7 @@ static void begin_group(const Aov *aov, unsigned group) {
     target_begin(&aov->target, &aov->program, names);
 }
 
-/* False when stopped: then the group never was. */
+/* Returns false if it was stopped; then the layers are unchanged. */
 static bool add_group(Aov *aov, unsigned group, bool (*stop)(void)) {
     const Target *target = &aov->target;
     begin_group(aov, group);
@@ -157,7 +157,7 @@ bool aov_read_pixel(const Aov *aov, unsigned samples, int x, int y, AovPixel *pi
     return true;
 }
 
-/* The sums' first three channels over the samples. */
+/* The first three channels of the sums, divided by the number of samples. */
 static void add_mean(const Aov *aov, const char *name, const char *channels, const float *sums,
                      Image *image) {
     size_t values = 3 * (size_t)image->width * (size_t)image->height;
@@ -197,6 +197,6 @@ bool aov_read(const Aov *aov, const Film *film, Image *image, Error *error) {
 }
 
 float *aov_variance(const Aov *aov, const Image *image) {
-    /* aov_read() adds it last. */
+    /* aov_read() adds this layer last. */
     return aov->kinds & AOV_VARIANCE ? image->layers[image->layer_count - 1].data : NULL;
 }

@@ -7,7 +7,7 @@ bool chance_matters(const FilmChance *chance) {
     return chance->light >= 1e-3;
 }
 
-/* A material by its file's name, but for mirrors, of which only some are meant. */
+/* Writes a material's name. For mirrors it says which ones, because only some leave light to chance. */
 static void write_name(const char *name, char *text, size_t size) {
     bool mirror = strcmp(name, "mirror") == 0;
     snprintf(text, size, "%s", mirror ? "mirrors that the scene does not name or that stand in a row" : name);

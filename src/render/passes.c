@@ -6,7 +6,7 @@
 #include "sky/sky_sampler.h"
 #include "sky/sun.h"
 
-/* Spheres come first: they alone may be refused, and then no other table has been changed. */
+/* Spheres come first, because only they can be refused: then no other table has been changed. */
 const ResourceKind *const picture_tables[] = {
     &drawn_spheres,  &scene_spheres, &file_spheres, &sky_table, &sky_patches,
     &sky_irradiance, &sky_sampler,   &sun_table,    &sun_cover, NULL};
@@ -29,7 +29,7 @@ PassList pass_list(const Plan *plan, const RenderParams *params) {
     return list;
 }
 
-/* The hints of a kind as GLSL, their words as they are: numbers, or the uniforms of sliders. */
+/* Writes the hints of a kind as GLSL. Their values stay as written: numbers, or the uniforms of sliders. */
 static void hint_slot(SlotList *slots, const char *name, const Scene *scene, HintKind kind) {
     const HintInfo *info = hint_info(kind);
     int count = scene_hint_count(scene, kind);
@@ -64,7 +64,7 @@ static void scene_slots(SlotList *slots, const Plan *plan, const Scene *scene) {
     hint_slot(slots, "emitter-spheres", scene, HINT_EMITTER_SPHERE);
 }
 
-/* One list serves all programs: an entry file takes the slots that it names. */
+/* One list of slots serves all programs: an entry file uses the slots that it names. */
 bool pass_text(const Pass *pass, const Plan *plan, const RenderParams *params, GlslSource *source,
                Error *error) {
     SlotList slots = {0};

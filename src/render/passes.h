@@ -1,6 +1,5 @@
-/* The passes of a picture as data: which programs there are, what their texts are made of, which tables they
- * look things up in, and what they are told. Nothing here needs OpenGL, so that a picture's programs can be
- * written down where there is none. */
+/* The passes of a picture as data: its programs, what their texts are made of, the tables that they read, and
+ * their uniforms. Nothing here needs OpenGL, so `flatten` can write the programs without it. */
 #pragma once
 
 #include "gl/resource.h"
@@ -8,10 +7,10 @@
 #include "scene/glsl_slots.h"
 #include "sky/frame.h"
 
-/* The kinds of table that a picture may have, each after its inputs; ends with NULL. */
+/* The kinds of tables that a picture may have, each after its inputs. The list ends with NULL. */
 extern const ResourceKind *const picture_tables[];
 
-/* One program. */
+/* A pass is one program. */
 typedef struct Pass {
     /* "trace", or the name of the table that it fills. */
     const char *name;
@@ -19,7 +18,7 @@ typedef struct Pass {
     const char *entry;
     /* The table that it fills; NULL for a pass that draws into the film or into layers. */
     const ResourceKind *fills;
-    /* Whether it draws the sun's own image. */
+    /* Whether it draws the image of the sun's disk. */
     bool image;
 } Pass;
 
@@ -33,18 +32,18 @@ typedef struct PassList {
 /* The passes that draw into the film, and the one that draws layers (--aov). */
 extern const Pass trace_pass, sun_image_pass, aov_pass_entry;
 
-/* All programs that a picture by this plan may need, in the order in which they are drawn. */
+/* All programs that a picture with this plan may need, in the order in which they are drawn. */
 PassList pass_list(const Plan *plan, const RenderParams *params);
 
-/* The text of a pass. */
+/* Makes the text of a pass. */
 MUST_CHECK bool pass_text(const Pass *pass, const Plan *plan, const RenderParams *params, GlslSource *source,
                           Error *error);
 
-/* The text of the program that traces the paths, for those who want nothing else of a picture. */
+/* Makes the text of the program that traces the paths, without a plan. */
 MUST_CHECK bool pass_trace_text(const RenderParams *params, GlslSource *source, Error *error);
 
-/* What the tables and the programs of a picture are made from: it borrows the plan and the scene. */
+/* The frame of a picture (sky/frame.h). It borrows the plan and the scene. */
 Frame frame_of(const Plan *plan, const Scene *scene, const Camera *camera);
 
-/* What the frame tells all programs. The tables add what they tell (resources_prepare()). */
+/* Adds the uniforms that come from the frame. resources_prepare() adds those of the tables. */
 void frame_uniforms(const Frame *frame, const Plan *plan, unsigned seed, Uniforms *uniforms);

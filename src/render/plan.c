@@ -12,22 +12,23 @@
 
 enum {
     MOST_GROUP_SAMPLES = 16,
-    /* The smallest number of iterations after which a driver is known to end all loops of a shader (llvmpipe
-       before Mesa 25). A draw that needs no more does not ask for the driver's own limit. */
+    /* The smallest number of iterations at which a driver is known to end all loops of a shader (llvmpipe
+     * before Mesa 25). The driver's own limit is measured only if a draw needs more. */
     LEAST_LOOP_LIMIT = 65535,
-    /* "Unlimited" for the loop's sake: Russian roulette lets a path come so far with a probability below
-       1e-22. */
+    /* Stands for "unlimited" where a loop needs a bound: the probability that Russian roulette lets a path
+     * come so far is below 1e-22. */
     UNLIMITED_HITS = 1000,
-    /* Of one march() and one hit_spheres(): some 20 are usual, the most are MARCH_STEPS
-       (glsl/shape/march.glsl) and SPHERES_STEPS (glsl/shape/spheres.glsl). What goes beyond all loops
-       together is noticed (glsl/pass/search.glsl) and counted. */
+    /* Estimates for one march() and one hit_spheres(): some 20 iterations are usual, and at most there are
+     * MARCH_STEPS (glsl/shape/march.glsl) and SPHERES_STEPS (glsl/shape/spheres.glsl). glsl/pass/search.glsl
+     * notices and counts rays that exceed all loops together. */
     MARCH_ITERATIONS = 200,
     SPHERES_ITERATIONS = 200,
-    PLANE_CHAIN = 4 /* glsl/sun/planes.glsl */
+    /* The longest chain of flat mirrors in glsl/sun/planes.glsl. */
+    PLANE_CHAIN = 4
 };
 
-/* Loop iterations at one hit, with those of its rays' searches, and the bounds, mirror spheres and emitters
- * that it looks for. */
+/* The loop iterations at one hit, including the searches of its rays and the loops over bounds, mirror
+ * spheres and emitters. */
 static long hit_iterations(const Plan *plan, const Scene *scene) {
     long emitter_count = scene_hint_count(scene, HINT_EMITTER_SPHERE);
     long mirror_count = scene_hint_count(scene, HINT_MIRROR_SPHERE);
@@ -38,14 +39,14 @@ static long hit_iterations(const Plan *plan, const Scene *scene) {
     long rays = 1 + (sun ? 1 : 0) + (sun && mirror_count ? 2 : 0) + (emitters ? 1 : 0);
     long bounds = plan->light.method->loops_over_bounds ? (emitters ? 3L : 2L) * bound_count : 0;
     long mirrors = sun && mirror_count ? 6 + 5 * mirror_count : 0;
-    /* Each of a chain's rays asks which mirror it met, and which it should. */
+    /* Each ray of a chain compares the mirror that it hit with the one that it should hit. */
     long planes = sun && plane_count ? PLANE_CHAIN * (3 + 2L * PLANE_CHAIN + plane_count) : 0;
     if (planes) rays += PLANE_CHAIN + 1;
     return 1 + rays * plan->needs.search_iterations + bounds + mirrors + planes + 3 * emitters;
 }
 
-/* Sets the number of samples of a draw. Where the driver ends loops, "unlimited" is as many hits as its loops
- * allow. Without a context nothing is drawn, and so nothing is limited. */
+/* Sets the number of samples of a draw. If the driver ends loops, "unlimited" is as many hits as its limit
+ * allows. Without a context nothing is drawn and nothing is limited. */
 static bool choose_group(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
     const MethodChoice *sky = &plan->sky;
     long limit, hit = hit_iterations(plan, params->scene);
@@ -76,7 +77,7 @@ static bool same_hint(const Hint *a, const Hint *b) {
     return memcmp(a->words, b->words, sizeof a->words) == 0;
 }
 
-/* Whether each of the scene's bounds is one of its mirror spheres too. */
+/* Whether each of the scene's bounds is one of its mirror spheres. */
 static bool mirrors_alone_block(const Scene *scene) {
     int bounds = scene_hint_count(scene, HINT_BOUND), mirrors = scene_hint_count(scene, HINT_MIRROR_SPHERE);
     const HintList *lists = scene->file->hints;
@@ -120,7 +121,7 @@ int plan_height(const RenderParams *params) {
     return params->height ? params->height : params->scene->file->height;
 }
 
-/* `calls` of hit_spheres(). */
+/* Checks the scene's spheres; `calls` is the number of its calls of hit_spheres(). */
 static bool check_spheres(const Scene *scene, const GlslSource *source, int calls, Error *error) {
     if (calls && !scene->file->spheres[0]) {
         return error_set(error, STATUS_SCENE,
@@ -135,10 +136,12 @@ static bool check_spheres(const Scene *scene, const GlslSource *source, int call
     return true;
 }
 
-/* What every scene defines, and what one that marches defines besides. */
+/* Checks that the scene defines the functions that every scene must, and those that a scene with march()
+ * must. */
 static bool check_functions(const Scene *scene, const GlslSource *source, Error *error) {
     static const struct {
-        const char *name, *signature, *file; /* whose scenes need it; NULL: all do */
+        /* `file`: only scenes that include it need the function; NULL if all do. */
+        const char *name, *signature, *file;
     } functions[] = {
         {"scene_intersect", "void scene_intersect(Ray ray, INOUT(Hit) hit)", NULL},
         {"scene_material", "Material scene_material(Hit hit)", NULL},

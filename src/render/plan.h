@@ -1,4 +1,4 @@
-/* What is decided before anything of a picture is made: what the scene needs, the methods, and how many
+/* The plan is decided before anything of a picture is made: what the scene needs, the methods, and how many
  * samples a draw may take. */
 #pragma once
 
@@ -11,29 +11,43 @@
 
 typedef struct RenderParams {
     const Scene *scene;
-    const char *library;                /* folder of the GLSL library */
-    const char *sky, *light, *sequence; /* NULL for the default; the scene's own sky comes before it */
-    const char *sun_disk;               /* NULL for what the scene says */
-    int width, height;                  /* 0 for the scene's */
+    /* The folder of the GLSL library. */
+    const char *library;
+    /* NULL for the default. For the sky the default is the scene's own, if it has one. */
+    const char *sky, *light, *sequence;
+    /* NULL for the scene's. */
+    const char *sun_disk;
+    /* In pixels; 0 for the scene's. */
+    int width, height;
     unsigned seed;
-    int max_hits;         /* 0 is unlimited */
-    uint64_t samples;     /* that will be taken a pixel, for auto's choice; 0 is as many as the error takes */
-    double error_percent; /* asked for; 0 for auto's own idea of it (choice/auto.h) */
-    bool variance;        /* whether the film is to know its error (film_read_variance) */
+    /* 0 for no limit. */
+    int max_hits;
+    /* The number of samples that each pixel will get, for auto's choice; 0 if the error decides. */
+    uint64_t samples;
+    /* The target relRMSE, percent; 0 if the user gave none, then auto estimates it (choice/auto.h). */
+    double error_percent;
+    /* Whether the film must have FILM_SCATTER, for film_read_variance(). */
+    bool variance;
 } RenderParams;
 
-/* What a scene's own text and its includes say, so that nothing more is compiled and errors are about the
- * scene. */
+/* What the scene needs, found by scanning its flattened text. Features that it does not need are not
+ * compiled, and errors in it are reported against the scene. */
 typedef struct SceneNeeds {
-    bool search;            /* whether its rays search by loops (glsl/shape/search.glsl) */
-    long search_iterations; /* of one ray */
-    bool emits;             /* whether one of its materials does */
-    bool shiny;             /* whether some are neither matte nor mirrors */
-    /* Whether a material may throw light in narrow lobes or single directions, as mirrors and glass do. */
+    /* Whether its rays search by loops (glsl/shape/search.glsl). */
+    bool search;
+    /* Loop iterations of one ray's search. */
+    long search_iterations;
+    /* Whether one of its materials emits light. */
+    bool emits;
+    /* Whether a material is neither matte nor a mirror. */
+    bool shiny;
+    /* Whether a material may reflect or refract light in narrow lobes or single directions, as mirrors and
+     * glass do. */
     bool throws;
-    /* The materials' names by their numbers; those beyond are left out. */
+    /* The materials' names by number. Materials with higher numbers are left out. */
     char materials[20][24];
-    unsigned inputs; /* render/inputs.h */
+    /* The bits of inputs_wanted() (render/inputs.h). */
+    unsigned inputs;
 } SceneNeeds;
 
 enum { LOOP_LIMIT_UNKNOWN = -1 };
@@ -42,29 +56,29 @@ typedef struct Plan {
     MethodChoice sky, light, sequence, sun;
     SceneNeeds needs;
     int max_hits;
-    /* That the loops of one draw allow. */
+    /* The number of samples for which the loops of one draw suffice. */
     unsigned group_samples;
-    /* Loop iterations after which this OpenGL ends a shader's loops: 0 if it does not, and LOOP_LIMIT_UNKNOWN
-     * until a plan came near the smallest limit that is known. */
+    /* The number of loop iterations after which this OpenGL ends a shader's loops: 0 if it never does, and
+     * LOOP_LIMIT_UNKNOWN until a plan comes near the smallest limit known. */
     long loop_limit;
-    /* Whether the air has ozone, which is compiled in. */
+    /* Whether the air has ozone. It is compiled in. */
     bool ozone;
 } Plan;
 
-/* All of it. `context` is where it will be drawn, and is asked for its limit of loops; NULL for a plan of
- * which only the text is wanted. STATUS_USAGE for methods or loops beyond their limits, STATUS_SCENE for what
- * is wrong with the scene. */
+/* Makes the plan. `context` is where the picture will be drawn, and its limit of loops may be measured there;
+ * NULL for a plan of which only the text is wanted. Methods or loops beyond their limits are STATUS_USAGE,
+ * faults of the scene are STATUS_SCENE. */
 MUST_CHECK bool plan_make(Plan *plan, const RenderParams *params, const Context *context, Error *error);
 
-/* The same for a scene whose needs are in the plan. */
+/* Makes all of the plan but `needs`, which must be there already. */
 MUST_CHECK bool plan_choose(Plan *plan, const RenderParams *params, const Context *context, Error *error);
 
-/* Whether the film counts what is left to chance (FILM_CHANCE). */
+/* Whether the film counts the light that is left to chance (FILM_CHANCE). */
 bool plan_counts_chance(const Plan *plan);
 
-/* Whether the programs of one plan serve the other, for the same scene file and film. */
+/* Whether both plans have the same programs, for the same scene file and film. */
 bool plan_same_programs(const Plan *a, const Plan *b);
 
-/* The picture's size, pixels. */
+/* The picture's size in pixels. */
 int plan_width(const RenderParams *params);
 int plan_height(const RenderParams *params);

@@ -9,7 +9,7 @@
 static bool compile(Program *program, const Context *context, const GlslSource *source,
                     const RenderParams *params, Error *error) {
     if (program_create(program, &context->gl, source, error)) return true;
-    /* A scene that breaks off shows its fault only in the text behind it. */
+    /* If the scene's text ends too early, the compiler reports the error in the library's text behind it. */
     if (strncmp(error->text, params->library, strlen(params->library)) == 0)
         error_prefix(error, "%s: ", params->scene->file->path);
     return false;
@@ -27,14 +27,14 @@ static bool create_program(Renderer *renderer, const Context *context, const Ren
                   pass_text(&sun_image_pass, &renderer->plan, params, &renderer->image_source, error));
 }
 
-/* The program for the sun's image, if this is the first picture that has one. */
+/* Compiles the program for the sun's image when the first picture needs it. */
 static bool serve_image(Renderer *renderer, const Context *context, const SunImage *image,
                         const RenderParams *params, Error *error) {
     return !image->count || renderer->image_program.id ||
            compile(&renderer->image_program, context, &renderer->image_source, params, error);
 }
 
-/* For resources_create(). */
+/* The data of text() for resources_create(). */
 typedef struct Texts {
     const Plan *plan;
     const RenderParams *params;
@@ -60,7 +60,8 @@ static void give(const Renderer *renderer, const Program *program, const Uniform
     resources_give(&renderer->tables, program);
 }
 
-/* Fills the tables for this frame and gives both programs all that stays as it is until the next. */
+/* Fills the tables for this frame and sets all uniforms of both programs that stay the same until the next
+ * frame. */
 static bool set_up(Renderer *renderer, const Frame *frame, Error *error) {
     Uniforms uniforms = {0};
     frame_uniforms(frame, &renderer->plan, renderer->seed, &uniforms);
@@ -81,7 +82,7 @@ static void begin(Renderer *renderer, const Program *program, unsigned group) {
     film_begin(&renderer->film, program);
 }
 
-/* A pixel that no film ever takes in: drivers compile a program when it draws first. */
+/* Draws one pixel that no film takes in, because drivers compile a program when it first draws. */
 static bool warm_up(Renderer *renderer, Error *error) {
     const Program *programs[] = {&renderer->program, &renderer->image_program};
     for (int i = 0; i < 2; i++) {
@@ -99,7 +100,7 @@ static unsigned film_parts(const Plan *plan, bool variance) {
            (plan_counts_chance(plan) ? FILM_CHANCE : 0U);
 }
 
-/* What follows from the plan and the scene's values as they are now. */
+/* Sets what follows from the plan and the scene's current values. */
 static void follow(Renderer *renderer, const Frame *frame) {
     const Method *sun = renderer->plan.sun.method;
     const Scene *scene = frame->scene;
@@ -131,7 +132,7 @@ bool renderer_create(Renderer *renderer, const Context *context, const RenderPar
         goto fail;
     }
     renderer->group = renderer->plan.group_samples;
-    /* For the first draw, a guess on the low side: hits are few, the sky's loop is run in full. */
+    /* A low guess for the first draw: paths have few hits, and the sky's loop always runs in full. */
     long likely = 10 + (renderer->plan.sky.table ? 0 : renderer->plan.sky.iterations);
     renderer->pixels_per_second = 1e8 / ((double)renderer->group * (double)likely);
     if (create_parts(renderer, context, params, error)) return true;
@@ -148,7 +149,8 @@ static bool recreate(Renderer *renderer, const Context *context, const RenderPar
     return true;
 }
 
-/* A film of the frame's size where the renderer's has another, else an empty struct. */
+/* Creates a film of the frame's size if the renderer's film has another size or other parts; else `next` is
+ * empty. */
 static bool create_next_film(const Renderer *renderer, const Context *context, const Camera *camera,
                              Film *next, Error *error) {
     const Film *film = &renderer->film;
@@ -215,7 +217,7 @@ static int largest(int a, int b) {
     return a > b ? a : b;
 }
 
-/* The pixels of the regions that may hold the sun's own image, once more and now with it. */
+/* Draws the pixels of the regions that may hold the sun's image once more, now with the image. */
 static void draw_sun_image(Renderer *renderer, const Rectangle *regions, int count, unsigned group) {
     if (!renderer->image.count) return;
     begin(renderer, &renderer->image_program, group);
@@ -229,7 +231,7 @@ static void draw_sun_image(Renderer *renderer, const Rectangle *regions, int cou
     renderer->gl->Finish();
 }
 
-/* False when stopped. */
+/* Returns false if it was stopped. */
 static bool draw_group(Renderer *renderer, const Rectangle *regions, int count, unsigned group,
                        bool (*stop)(void)) {
     begin(renderer, &renderer->program, group);

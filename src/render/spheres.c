@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Texels in a row of what scene_sphere() makes. */
+/* Texels in a row of the texture that scene_sphere() fills. */
 enum { DRAWN_COLUMNS = 1024 };
 
 static const double farthest_m = 1e7;
@@ -25,7 +25,7 @@ static const Scene *scene_of(const void *frame) {
     return ((const Frame *)frame)->scene;
 }
 
-/* What scene_sphere() makes */
+/* drawn_spheres: what scene_sphere() makes. */
 
 static void drawn_size(const void *frame, int *width, int *height) {
     int count = scene_sphere_count(scene_of(frame));
@@ -33,7 +33,7 @@ static void drawn_size(const void *frame, int *width, int *height) {
     *height = count ? (count + DRAWN_COLUMNS - 1) / DRAWN_COLUMNS : 1;
 }
 
-/* The scene's parameters, its time and its mouse. */
+/* Appends the scene's parameters, its time and its mouse. */
 static void drawn_key(const void *frame, Text *key) {
     const SceneValues *values = &scene_of(frame)->values;
     text_append(key, values->parameters, sizeof values->parameters);
@@ -57,7 +57,7 @@ const ResourceKind drawn_spheres = {.name = "what scene_sphere() makes",
                                     .key = drawn_key,
                                     .uniforms = drawn_uniforms};
 
-/* The tree in a texture */
+/* Puts the tree into a texture. */
 
 static bool upload(Resource *table, const Scene *scene, const float *numbers, int count, Error *error) {
     SphereTree tree = sphere_tree_create(numbers, count);

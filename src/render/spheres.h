@@ -1,16 +1,16 @@
-/* A scene's many spheres (`//@ spheres`), made ready for hit_spheres(): counted out by the scene's own
- * scene_sphere(), or read from a file; put into a tree, and that into a texture. */
+/* A scene's many spheres (`//@ spheres`), made ready for hit_spheres(). They come from the scene's own
+ * function scene_sphere() or from a file, are sorted into a tree, and the tree becomes a texture. */
 #pragma once
 
 #include "gl/resource.h"
 #include "sky/frame.h"
 
-/* What scene_sphere() makes of the numbers from 0, for the host to read; and the table that is made of it.
- * STATUS_SCENE for spheres that are not finite or too many for this OpenGL. */
+/* The first table holds what scene_sphere() returns for the numbers from 0, for the host to read. The second
+ * is the tree made of it. Spheres that are not finite or too many for this OpenGL are STATUS_SCENE. */
 extern const ResourceKind drawn_spheres, scene_spheres;
 
-/* The same table, of spheres in a file. STATUS_SCENE for errors in the file. */
+/* The same tree, made of the spheres in a file. Errors in the file are STATUS_SCENE. */
 extern const ResourceKind file_spheres;
 
-/* The file for the slot <spheres> of a program that holds the scene. */
+/* The file for the slot <spheres> of a program that includes the scene. */
 const char *spheres_slot(const Scene *scene);

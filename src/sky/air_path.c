@@ -4,7 +4,7 @@
 
 enum { GAUSS_PAIRS = 8 };
 
-/* Gauss-Legendre, 16 nodes: the positive half. */
+/* Gauss-Legendre quadrature with 16 nodes: the positive half of the nodes. */
 static const double gauss_node[GAUSS_PAIRS] = {
     0.0950125098376374402, 0.281603550779258913, 0.458016777657227386, 0.617876244402643748,
     0.755404408355003034,  0.865631202387831744, 0.944575023073232576, 0.989400934991649933};
@@ -58,9 +58,9 @@ double air_distance_out(double rise, double square) {
     return fmax(0, square) / (rise + root);
 }
 
-/* From a leg's low end upward, where density falls. Beside the exponential itself an altitude has
- * singularities at the complex distances -radius exp(+-i angle), so panels longer than a radius are cut by
- * doubling. */
+/* Integrates from a leg's low end upward, where density falls. Beside the exponential the integrand has the
+ * singularities of the altitude, at the complex distances -radius exp(+-i angle). So panels longer than a
+ * radius are cut by doubling. */
 static double leg_integral(const Atmosphere *atmosphere, const AirPath *leg, double from, double to,
                            Density *density) {
     double sum = 0;
@@ -77,7 +77,7 @@ static double leg_integral(const Atmosphere *atmosphere, const AirPath *leg, dou
     return sum;
 }
 
-/* Cut at three altitudes, in rising order; nothing is counted above the third. */
+/* The leg is cut at three altitudes in rising order. Nothing above the third is counted. */
 static double leg_column(const Atmosphere *atmosphere, const AirPath *leg, const double altitudes[3],
                          Density *density) {
     double sum = 0, from = 0;
@@ -90,8 +90,8 @@ static double leg_column(const Atmosphere *atmosphere, const AirPath *leg, const
     return sum;
 }
 
-/* 16 nodes over 16 scale heights are good to 1e-13 of the column, both for a steep leg (an exponential) and
- * for one from its perigee (a Gaussian); past 48 there is no more than exp(-48) of it. */
+/* 16 nodes over 16 scale heights integrate a column to 1e-13, both for a steep leg (an exponential) and for a
+ * leg from its perigee (a Gaussian). Past 48 scale heights at most exp(-48) of the column is left. */
 static double exponential_column(const Atmosphere *atmosphere, const AirPath *leg, double scale,
                                  Density *density) {
     double low = leg->height, altitudes[3] = {low + 16 * scale, low + 32 * scale, low + 48 * scale};
@@ -109,8 +109,7 @@ static void add_leg(const Atmosphere *atmosphere, const AirPath *leg, AirColumns
     if (atmosphere->ozone > 0) columns->ozone += leg_column(atmosphere, leg, tent, air_ozone_density);
 }
 
-/* AirColumns along a straight way within the atmosphere, cut at its perigee into legs that rise. */
-/* The way is cut at its perigee into legs that rise. */
+/* The line is cut at its perigee into legs that rise. */
 AirColumns air_columns(const Atmosphere *atmosphere, double height, double rise, double length) {
     AirColumns columns = {0};
     bool has_perigee = rise < 0 && -rise < length;

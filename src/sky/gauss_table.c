@@ -11,7 +11,8 @@ static void legendre(int n, double x, double *p) {
     for (int k = 1; k <= n; k++) p[k + 1] = ((2 * k + 1) * x * p[k] - k * p[k - 1]) / (k + 1);
 }
 
-/* The i-th root of P_n on (-1,1), ascending, by Newton from Tricomi's start; `slope` is P_n' there. */
+/* The i-th root of P_n on (-1,1), in ascending order, by Newton's method from Tricomi's start. `slope` is
+ * P_n' at the root. */
 static double legendre_root(int n, int i, double *slope) {
     double p[GAUSS_MOST + 2], x = -cos(pi * (i + 0.75) / (n + 0.5));
     for (int step = 0; step < 20; step++) {
@@ -22,9 +23,9 @@ static double legendre_root(int n, int i, double *slope) {
     return x;
 }
 
-/* The polynomial through values f_j at the nodes is a sum of Legendre polynomials with coefficients
- * (2k+1)/2 sum_j w_j P_k(x_j) f_j, exact since products of degree 2n-2 are; and P_k integrates from -1 to x
- * to (P_{k+1}(x) - P_{k-1}(x)) / (2k+1). */
+/* The polynomial through values f_j at the nodes is a sum of Legendre polynomials with the coefficients
+ * (2k+1)/2 sum_j w_j P_k(x_j) f_j. This is exact because the quadrature is exact for products of degree 2n-2.
+ * The integral of P_k from -1 to x is (P_{k+1}(x) - P_{k-1}(x)) / (2k+1). */
 GaussTable gauss_table(int nodes) {
     GaussTable table = {{0}, {0}, {0}};
     double x[GAUSS_MOST], p[GAUSS_MOST][GAUSS_MOST + 2];
@@ -33,11 +34,13 @@ GaussTable gauss_table(int nodes) {
         x[i] = legendre_root(nodes, i, &slope);
         legendre(nodes, x[i], p[i]);
         table.node[i] = (x[i] + 1) / 2;
-        table.weight[i] = 1 / ((1 - x[i] * x[i]) * slope * slope); /* half of (-1,1)'s */
+        /* This is half of the weight on (-1,1). */
+        table.weight[i] = 1 / ((1 - x[i] * x[i]) * slope * slope);
     }
     for (int i = 0; i < nodes; i++) {
         for (int j = 0; j < nodes; j++) {
-            double sum = x[i] + 1; /* k = 0 */
+            /* The term of k = 0. */
+            double sum = x[i] + 1;
             for (int k = 1; k < nodes; k++) sum += p[j][k] * (p[i][k + 1] - p[i][k - 1]);
             table.cumulative[GAUSS_MOST * i + j] = sum / 2 * table.weight[j];
         }

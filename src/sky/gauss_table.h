@@ -1,13 +1,14 @@
-/* Gauss-Legendre quadrature on (0,1), with the matrix that integrates up to each node. */
+/* Gauss-Legendre quadrature on (0,1), and the matrix that integrates up to each node. */
 #pragma once
 
 enum { GAUSS_MOST = 12 };
 
-/* As the GLSL struct of the same name (sky/gauss.glsl). */
+/* The GLSL struct of the same name in sky/gauss.glsl has the same members. */
 typedef struct GaussTable {
     double node[GAUSS_MOST], weight[GAUSS_MOST];
-    double cumulative[GAUSS_MOST * GAUSS_MOST]; /* [12 i + j] */
+    /* The weight of node j in the integral up to node i is cumulative[GAUSS_MOST * i + j]. */
+    double cumulative[GAUSS_MOST * GAUSS_MOST];
 } GaussTable;
 
-/* `nodes` from 1 to GAUSS_MOST. Good to 1e-14. */
+/* The table for 1 to GAUSS_MOST nodes, accurate to 1e-14. */
 GaussTable gauss_table(int nodes);

@@ -1,4 +1,5 @@
-/* The unblocked sky's irradiance by a surface's normal, tabulated: the control variate of --light control. */
+/* A table of the unblocked sky's irradiance for each normal of a surface: the control variate of --light
+ * control. */
 #pragma once
 
 #include "sky/sky_patches.h"

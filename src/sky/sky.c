@@ -95,8 +95,9 @@ static void table_size(const void *data, int *columns, int *rows) {
     *rows *= 2;
 }
 
-/* The size of a half, and the sines of elevation between which there is air to look through: the visible
- * horizon's, and 1 or the limb's. */
+/* The uniforms are the number of rows in a half, and the sines of elevation between which a direction
+ * passes through air: those of the visible horizon, and of the atmosphere's limb seen from outside (1 from
+ * within). */
 static void table_uniforms(const Resource *table, const void *data, Uniforms *uniforms) {
     const Frame *frame = data;
     const Atmosphere *a = &frame->state.atmosphere;

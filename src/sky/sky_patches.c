@@ -1,6 +1,6 @@
 #include "sky/sky_patches.h"
 
-/* Those who read them want them. */
+/* It is filled only as an input of other tables. */
 static bool wants_patches(const void *frame) {
     (void)frame;
     return false;

@@ -1,5 +1,6 @@
-/* The sky as a list of small patches, for integrals over it and for drawing directions from it: half of it,
- * up to the sun's azimuth plane about which it is even. See glsl/pass/fill_radiance.glsl. */
+/* The sky as a list of small patches, for integrals over it and for sampling directions from it. The list
+ * covers the half of the sky on one side of the sun's vertical plane; the other half is its mirror image. See
+ * glsl/pass/fill_radiance.glsl. */
 #pragma once
 
 #include "sky/sky.h"
@@ -11,6 +12,6 @@ enum {
     PATCH_ROWS = PATCH_ROWS_ABOVE + PATCH_ROWS_BELOW
 };
 
-/* Texture 0: radiance times the patch's solid angle, and that angle. Texture 1: the patch's direction, toward
- * the sun's azimuth, up and aside. */
+/* Texture 0 holds the radiance times the patch's solid angle, and the solid angle in steradians. Texture 1
+ * holds the patch's direction: the components toward the sun's azimuth, up, and sideways. */
 extern const ResourceKind sky_patches;

@@ -8,9 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 256 }; /* directions are asked SIDE x SIDE at a time */
+/* Each draw looks up at most SIDE x SIDE directions. */
+enum { SIDE = 256 };
 
-/* What the sky's texts are made from. */
+/* What the texts of the sky's programs are made from. */
 typedef struct Texts {
     const char *library;
     SlotList slots;
@@ -63,7 +64,7 @@ void sky_probe_destroy(SkyProbe *probe) {
     *probe = (SkyProbe){0};
 }
 
-/* Makes the sky ready for this state, and the probe's program the one in use. */
+/* Makes the sky's tables ready for this state and the probe's program the one in use. */
 static bool use(SkyProbe *probe, const SkyState *state, Error *error) {
     Frame frame = {.state = *state, .sky = &probe->choice};
     Uniforms uniforms = {0};
@@ -80,7 +81,8 @@ static bool use(SkyProbe *probe, const SkyState *state, Error *error) {
     return ok;
 }
 
-/* Up to SIDE x SIDE directions; whole rows go through `rows`, a buffer of that many. */
+/* Looks up at most SIDE x SIDE directions. Textures take whole rows, so the directions pass through `rows`,
+ * which has room for as many. */
 static bool ask_some(SkyProbe *probe, const float *directions, size_t count, float *radiances, float *rows,
                      Error *error) {
     const GlApi *gl = probe->gl;

@@ -9,11 +9,12 @@
 
 enum { KRONROD_PAIRS = 7, MAX_BREAKS = 64, MAX_PANELS = 400 };
 
-/* The quadrature stops at this share of the radiance, as estimated; the true error is far below. The floor
- * (for a sun of irradiance 1) lets a black sky end. */
+/* The quadrature stops when its estimated error is below this share of the radiance; the true error is far
+ * smaller. The floor (for a sun of irradiance 1) lets the loop end where the sky is black. */
 static const double tolerance = 1e-10, tolerance_floor = 1e-26;
 
-/* Gauss-Kronrod, 7 nodes within 15: the positive half; odd indices and the middle are Gauss nodes too. */
+/* Gauss-Kronrod quadrature with 15 nodes, of which 7 are Gauss nodes: the positive half. The odd indices and
+ * the middle are the Gauss nodes. */
 static const double kronrod_node[KRONROD_PAIRS] = {
     0.991455371120812639, 0.949107912342758525, 0.864864423359769073, 0.74153118559939444,
     0.58608723546769113,  0.405845151377397167, 0.207784955007898468};
@@ -23,14 +24,16 @@ static const double kronrod_weight[KRONROD_PAIRS + 1] = {
 static const double kronrod_gauss_weight[KRONROD_PAIRS + 1] = {
     0, 0.129484966168869693, 0, 0.279705391489276668, 0, 0.381830050505118945, 0, 0.417959183673469388};
 
-/* One direction of the sky. The sun's ray through the path's point at distance t has the perigee distance
- * sqrt(across_squared t^2 + 2 across_rise t + radius^2 - sun_rise^2) from the centre; across is the part of
- * the view direction that is orthogonal to the sun's. */
+/* One direction of the sky. The sun's ray through the path's point at distance t has its perigee at the
+ * distance sqrt(across_squared t^2 + 2 across_rise t + radius^2 - sun_rise^2) from the centre. "Across" is
+ * the part of the view direction that is orthogonal to the sun's direction. */
 typedef struct Sky {
     const Atmosphere *atmosphere;
     AirPath path;
-    double nu;       /* cosine between view and sun */
-    double sun_rise; /* of the sun's ray from the path's origin */
+    /* The cosine of the angle between view and sun. */
+    double nu;
+    /* The rise of the sun's ray through the path's origin. */
+    double sun_rise;
     double across_squared, across_rise;
     double air_phase, aerosol_phase;
 } Sky;
@@ -44,8 +47,8 @@ typedef struct Breaks {
     int count;
 } Breaks;
 
-/* Cornette-Shanks. 1 + g^2 - 2 g nu = (1 - |g|)^2 + |g| |v -+ s|^2, whose right side keeps its digits in
- * the peak. */
+/* The phase function of Cornette and Shanks. The identity 1 + g^2 - 2 g nu = (1 - |g|)^2 + |g| |v -+ s|^2 is
+ * used because its right side keeps its digits in the peak. */
 static double aerosol_phase(double g, const double view[3], const double sun[3]) {
     double sign = g < 0 ? -1 : 1, size = fabs(g), apart[3];
     for (int i = 0; i < 3; i++) apart[i] = view[i] - sign * sun[i];
@@ -70,7 +73,7 @@ static void scattered_at(const Sky *sky, double t, double out[3]) {
     }
 }
 
-/* The error's estimate is QUADPACK's: the plain difference of both rules is the error of the worse one. */
+/* The error is estimated as in QUADPACK: the plain difference of both rules is the error of the worse one. */
 static void panel_integrate(const Sky *sky, Panel *panel) {
     double half = (panel->to - panel->from) / 2, middle = panel->from + half, f[2 * KRONROD_PAIRS + 1][3];
     for (int k = 0; k < KRONROD_PAIRS; k++) {
@@ -89,11 +92,12 @@ static void panel_integrate(const Sky *sky, Panel *panel) {
         }
         double error = spread > 0 ? spread * fmin(1, pow(200 * fabs(fine - coarse) / spread, 1.5)) : 0;
         panel->value[c] = half * fine;
-        panel->error[c] = half < 1e-14 * panel->to ? 0 : half * error; /* too narrow to cut again */
+        /* Such a panel is too narrow to be cut again. */
+        panel->error[c] = half < 1e-14 * panel->to ? 0 : half * error;
     }
 }
 
-/* In rising order. 47 is the most that find_breaks can add. */
+/* Keeps the breaks in rising order. find_breaks() adds at most 47. */
 static void add_break(Breaks *breaks, double t) {
     if (!(t > 0 && t < breaks->length) || breaks->count == MAX_BREAKS) return;
     int i = breaks->count++;
@@ -101,7 +105,7 @@ static void add_break(Breaks *breaks, double t) {
     breaks->at[i] = t;
 }
 
-/* The roots of a t^2 + 2 b t + c. */
+/* Adds the roots of a t^2 + 2 b t + c. */
 static void add_roots(Breaks *breaks, double a, double b, double c) {
     double square = b * b - a * c;
     if (square < 0) return;
@@ -110,8 +114,8 @@ static void add_roots(Breaks *breaks, double a, double b, double c) {
     if (sum != 0) add_break(breaks, c / sum);
 }
 
-/* Where the path crosses an altitude, and where its sun rays have their perigee there: for altitude 0 the
- * edges of the planet's shadow. */
+/* Adds the places where the path crosses an altitude. With `sun_perigee` it also adds those where the sun's
+ * rays have their perigee at this altitude; for altitude 0 these are the edges of the planet's shadow. */
 static void add_altitude(Breaks *breaks, const Sky *sky, double altitude, bool sun_perigee) {
     double square = air_square_above(sky->atmosphere, sky->path.height, altitude);
     add_roots(breaks, 1, sky->path.rise, square);
@@ -119,9 +123,10 @@ static void add_altitude(Breaks *breaks, const Sky *sky, double altitude, bool s
     add_roots(breaks, sky->across_squared, sky->across_rise, square - sky->sun_rise * sky->sun_rise);
 }
 
-/* Where the integrand is not smooth (the perigee, the shadow's edges, the ozone's kinks), and where it may be
- * steep: by doubling altitudes above the lowest point, and by free paths from the origin, so that no panel's
- * nodes miss a thin layer of light altogether. */
+/* Finds where the integrand is not smooth: at the perigee, the shadow's edges and the kinks of the ozone's
+ * profile. It also adds places where the integrand may be steep, so that no panel's nodes miss a thin
+ * layer of light altogether: altitudes that double from the lowest point up, and mean free paths from the
+ * origin. */
 static void find_breaks(const Sky *sky, Breaks *breaks) {
     const Atmosphere *atmosphere = sky->atmosphere;
     const AirPath *path = &sky->path;
@@ -147,7 +152,7 @@ static void find_breaks(const Sky *sky, Breaks *breaks) {
     for (double depth = 0.25; most > 0 && depth <= 64; depth *= 4) add_break(breaks, depth / most);
 }
 
-/* The shadow's edges are breaks, so a panel lies in it or out of it as its middle does. */
+/* The shadow's edges are breaks, so a panel is in the shadow if its middle is. */
 static bool is_lit(const Sky *sky, double t) {
     double square = air_square_above(sky->atmosphere, sky->path.height, 0) - sky->sun_rise * sky->sun_rise +
                     t * (sky->across_squared * t + 2 * sky->across_rise);
@@ -170,7 +175,7 @@ static int start_panels(const Sky *sky, Panel panels[MAX_PANELS]) {
     return count;
 }
 
-/* Cuts the worst panel in two until the sum is good in all channels; bounded by the count of panels. */
+/* Cuts the panel with the largest error in two until all channels have converged or MAX_PANELS is reached. */
 static void integrate(const Sky *sky, double total[3]) {
     Panel panels[MAX_PANELS];
     int count = start_panels(sky, panels);

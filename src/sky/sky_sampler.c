@@ -15,7 +15,7 @@ void sky_sampler_share(const double *weights, int cells, int *bins) {
         total += weights[i];
         wanted += weights[i] > 0;
     }
-    /* One bin each, and the others by rounding the running sum, which loses none. */
+    /* Each cell gets one bin. The others are shared by rounding the running sum, which loses none. */
     for (int i = 0; i < cells; i++) {
         passed += weights[i];
         int upto = (int)lround(passed / total * (SKY_BINS - wanted));
@@ -24,7 +24,7 @@ void sky_sampler_share(const double *weights, int cells, int *bins) {
     }
 }
 
-/* The cell at a place along Hilbert's curve through a square of side `side`, a power of two. */
+/* The cell at a place along Hilbert's curve through a square. `side` is a power of two. */
 static void hilbert(int side, int place, int *x, int *y) {
     *x = *y = 0;
     for (int s = 1; s < side; s *= 2, place /= 4) {
@@ -39,7 +39,7 @@ static void hilbert(int side, int place, int *x, int *y) {
     }
 }
 
-/* Cells above the horizon along the curve, then the others row by row. */
+/* Cells above the horizon follow the curve; the others come after them, row by row. */
 static int cell_at(int place) {
     int x, y;
     if (place >= PATCH_COLUMNS * PATCH_ROWS_ABOVE) return place;
@@ -47,9 +47,10 @@ static int cell_at(int place) {
     return y * PATCH_COLUMNS + x;
 }
 
-/* The patches' luminance times their solid angle, and a hundredth of the mean where that is nothing: no
- * direction of the sky is left out. The sine of elevation, the cosine on level ground, is not in it: with it,
- * what stands upright under a low sun is 1.7 times as noisy, and the ground no better. */
+/* A weight is the patch's luminance times its solid angle. Where that is 0 it is a hundredth of the mean,
+ * so that every direction of the sky can be sampled. The sine of elevation, which is the cosine on level
+ * ground, is left out: with it, upright surfaces under a low sun are 1.7 times as noisy and the ground is
+ * no better. */
 static void weigh(const float *light, const float *direction, double *weights) {
     double total = 0;
     for (int i = 0; i < CELLS; i++) {

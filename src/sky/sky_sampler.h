@@ -1,5 +1,5 @@
-/* Directions drawn from the sky in proportion to its luminance: the sky's patches cut into bins of one
- * probability (glsl/pass/sky_sampler.glsl). */
+/* Directions sampled from the sky in proportion to its luminance: the sky's patches are cut into bins of
+ * equal probability (glsl/pass/sky_sampler.glsl). */
 #pragma once
 
 #include "sky/sky_patches.h"
@@ -8,6 +8,7 @@ enum { SKY_BIN_COLUMNS = 256, SKY_BIN_ROWS = 128, SKY_BINS = SKY_BIN_COLUMNS * S
 
 extern const ResourceKind sky_sampler;
 
-/* Shares SKY_BINS bins among cells in proportion to their weights, in whole numbers, at least one bin to each
- * cell of a weight above 0 (fewer of those than bins, and at least one). */
+/* Shares SKY_BINS bins among cells in proportion to their weights. Numbers of bins are whole, and each
+ * cell with a weight above 0 gets at least one. There must be at least one such cell and fewer of them
+ * than bins. */
 void sky_sampler_share(const double *weights, int cells, int *bins);

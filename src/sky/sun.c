@@ -34,9 +34,9 @@ static void add_rectangle(SunImage *image, Rectangle rectangle) {
     if (rectangle.width && rectangle.height) image->rectangles[image->count++] = rectangle;
 }
 
-/* Where the eye sees the disk's middle in a sphere, by bisection of Alhazen's angle
- * (glsl/sun/mirror_sphere.glsl). A sphere reflects the disk smaller than it is, so that its image is within
- * the disk's radius of that direction. */
+/* The direction in which the eye sees the disk's middle in a sphere, by bisection of the angle in Alhazen's
+ * problem (glsl/sun/mirror_sphere.glsl). A sphere reflects the disk smaller than it is, so its image is
+ * within the disk's radius of that direction. */
 static bool reflected_toward(const double eye[3], const double sphere[4], const double light[3],
                              double out[3]) {
     double point[3], across[3], r = 0, along = 0, off = 0;
@@ -46,7 +46,8 @@ static bool reflected_toward(const double eye[3], const double sphere[4], const 
     r = sqrt(r);
     off = sqrt(off);
     if (r <= 1) return false;
-    /* In the shadow, or by its edge, light can only graze: it comes from where the sun is. */
+    /* In the sphere's shadow or near its edge light can only graze the sphere, so it comes from the sun's own
+     * direction. */
     double theta = atan2(off, along), low = theta / 2, high = fmin(pi / 2, (theta + pi / 2) / 2);
     bool shadow = along < 0 && off < 1;
     for (int i = 0; i < 60; i++) {
@@ -76,7 +77,7 @@ SunImage sun_image(const Frame *frame) {
     return image;
 }
 
-/* The table of radiances */
+/* sun_table, the table of radiances. */
 
 static bool wants_disk(const void *frame) {
     const MethodChoice *disk = ((const Frame *)frame)->sun_disk;
@@ -118,7 +119,7 @@ const ResourceKind sun_table = {.name = "the sun's radiances",
                                 .compute = compute_table,
                                 .uniforms = disk_uniforms};
 
-/* The cover of pixels */
+/* sun_cover, the disk's part in each pixel. */
 
 static bool wants_cover(const void *frame) {
     const MethodChoice *disk = ((const Frame *)frame)->sun_disk;
@@ -131,8 +132,8 @@ static void cover_key(const void *frame, Text *key) {
     text_append(key, camera, sizeof *camera);
 }
 
-/* The disk's image as it would be unblocked, in the rectangle that may hold it. Nothing, a texel of zeros,
- * where it is not in the picture or is no ellipse there. `entries` is 1 where there is a cover. */
+/* Computes the image of the unblocked disk in the rectangle that may hold it. It is one texel of zeros where
+ * the disk is not in the picture or is no ellipse there. `entries` is 1 where there is a cover. */
 static bool compute_cover(Resource *cover, const void *data, Error *error) {
     static const float none[4] = {0};
     const Frame *frame = data;
@@ -148,8 +149,8 @@ static bool compute_cover(Resource *cover, const void *data, Error *error) {
     return true;
 }
 
-/* The rectangle's first pixel, beside the picture where there is no cover; and a point well inside of the
- * visible disk, in pixels. */
+/* The uniforms are the rectangle's first pixel, outside of the picture where there is no cover, and a point
+ * well inside of the visible disk, in pixels. */
 static void cover_uniforms(const Resource *cover, const void *data, Uniforms *uniforms) {
     const Frame *frame = data;
     SunDisk disk = disk_of(frame->scene);

@@ -1,30 +1,31 @@
-/* The sun's disk in a picture: which GLSL files it needs, what these are told, and where in the picture its
- * own image may be. */
+/* The sun's disk in a picture: the GLSL files that it needs, their uniforms, and the pixels that may hold its
+ * image. */
 #pragma once
 
 #include "sky/sky.h"
 
 enum { MOST_SUN_RECTANGLES = 1 + MOST_HINTS };
 
-/* The disk's radiance along its height (glsl/pass/sun_disk.glsl). */
+/* The disk's radiance by height (glsl/pass/sun_disk.glsl). */
 extern const ResourceKind sun_table;
 
-/* The mean radiance that the unblocked disk brings to each pixel of a rectangle. */
+/* The mean radiance that the unblocked disk gives each pixel of a rectangle. */
 extern const ResourceKind sun_cover;
 
 /* The pixels that may hold the disk's own image. */
 typedef struct SunImage {
-    /* They may overlap. */
+    /* The rectangles may overlap. */
     Rectangle rectangles[MOST_SUN_RECTANGLES];
     int count;
 } SunImage;
 
-/* The method that `text` names, NULL for what the scene says; "off" where the disk has set. */
+/* Chooses the method that `text` names, or the scene's where `text` is NULL. It is "off" where the disk has
+ * set. */
 MUST_CHECK bool sun_choose(MethodChoice *choice, const char *text, const Scene *scene, Error *error);
 
-/* Fills <sun>, <sun-image>, <mirrors>, <mirrors-image> and <planes>. `image`: for the program that draws the
- * disk's image. */
+/* Fills <sun>, <sun-image>, <mirrors>, <mirrors-image> and <planes>. `image` is for the program that draws
+ * the disk's image. */
 void sun_slots(SlotList *slots, const MethodChoice *choice, const Scene *scene, bool image);
 
-/* Where the picture of this frame may hold the image: nowhere, where the method does not draw it. */
+/* The pixels of this frame that may hold the disk's image; none if the method does not draw it. */
 SunImage sun_image(const Frame *frame);

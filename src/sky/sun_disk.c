@@ -42,7 +42,7 @@ void sun_disk_radiance(const SunDisk *disk, const Atmosphere *atmosphere, const 
     double squared = 0;
     for (int i = 0; i < 3; i++)
         squared += (disk->middle[i] - direction[i]) * (disk->middle[i] - direction[i]);
-    /* The chord keeps its digits, a cosine does not. */
+    /* The chord keeps its digits for small angles; a cosine does not. */
     bool inside = squared < 4 * sin(disk->radius / 2) * sin(disk->radius / 2);
     if (inside) radiance_toward(disk, atmosphere, direction, radiance);
     for (int c = 0; c < 3 && !inside; c++) radiance[c] = 0;
@@ -50,7 +50,8 @@ void sun_disk_radiance(const SunDisk *disk, const Atmosphere *atmosphere, const 
 
 void sun_disk_table(const SunDisk *disk, const Atmosphere *atmosphere, int count, float *rgba) {
     for (int i = 0; i < count; i++) {
-        /* Off the horizon by a hair: there the planet would be in the way, or not, by rounding. */
+        /* The lowest value lies slightly above the horizon. On the horizon, rounding would decide whether the
+         * planet blocks the light. */
         double at = fmax(i, 1e-2) / (count - 1), y = disk->lowest + (disk->top - disk->lowest) * at * at;
         double level = sqrt(fmax(1 - y * y, 0)), radiance[3];
         const double direction[3] = {level, y, 0};
@@ -66,7 +67,7 @@ typedef struct Polygon {
     int count;
 } Polygon;
 
-/* The part where line[0] x + line[1] y + line[2] >= 0. */
+/* The part of the polygon where line[0] x + line[1] y + line[2] >= 0. */
 static Polygon clip(const Polygon *polygon, const double line[3]) {
     Polygon clipped = {.count = 0};
     for (int i = 0; i < polygon->count; i++) {
@@ -81,14 +82,15 @@ static Polygon clip(const Polygon *polygon, const double line[3]) {
     return clipped;
 }
 
-/* Signed area of the unit circle's part in the triangle (0, a, b). */
+/* The signed area of the part of the unit circle in the triangle (0, a, b). */
 static double sector_area(const double a[2], const double b[2]) {
     double d[2] = {b[0] - a[0], b[1] - a[1]}, length2 = d[0] * d[0] + d[1] * d[1];
     double along = a[0] * d[0] + a[1] * d[1], off = a[0] * a[0] + a[1] * a[1] - 1;
     double discriminant = along * along - length2 * off;
     double area = 0, from = 0;
     if (length2 == 0) return 0;
-    if (discriminant > 0) { /* the edge's part in the circle makes a triangle, the rest sectors */
+    /* The part of the edge inside the circle makes a triangle, the rest of it makes sectors. */
+    if (discriminant > 0) {
         double root = sqrt(discriminant);
         double t0 = fmin(fmax((-along - root) / length2, 0), 1),
                t1 = fmin(fmax((-along + root) / length2, 0), 1);
@@ -104,7 +106,7 @@ static double sector_area(const double a[2], const double b[2]) {
     return area;
 }
 
-/* Area of a polygon's part in the ellipse. */
+/* The area of a polygon's part inside the ellipse. */
 static double area_in(const Ellipse *e, const Polygon *polygon) {
     double w[8][2], area = 0;
     for (int i = 0; i < polygon->count; i++) {
@@ -115,8 +117,8 @@ static double area_in(const Ellipse *e, const Polygon *polygon) {
     return fabs(area / (e->shape[0][0] * e->shape[1][1] - e->shape[0][1] * e->shape[1][0]));
 }
 
-/* The disk in level strips, crowded at the lowest: the lines up / middle = const that part them, in the
- * picture. */
+/* The disk cut into level strips, thinnest at its lowest point. The lines between them are where up / middle
+ * is constant, in the picture. */
 typedef struct Strips {
     double line[STRIPS + 1][3];
 } Strips;
@@ -129,7 +131,7 @@ static Strips cut(const SunDisk *disk, const Camera *camera) {
         double edge = from + (1 - from) * ((double)k / STRIPS) * ((double)k / STRIPS), plane[3],
                on_picture[3];
         for (int i = 0; i < 3; i++) plane[i] = disk->up[i] - edge * slope * disk->middle[i];
-        /* In pixels: the direction of pixel (x, y) is forward + (2 x / width - 1) right + (1 - 2 y / height)
+        /* In pixels. The direction of pixel (x, y) is forward + (2 x / width - 1) right + (1 - 2 y / height)
          * up. */
         on_picture[0] = 2 * vec3_dot(plane, camera->right) / camera->width;
         on_picture[1] = -2 * vec3_dot(plane, camera->up) / camera->height;
@@ -140,7 +142,7 @@ static Strips cut(const SunDisk *disk, const Camera *camera) {
     return strips;
 }
 
-/* The disk's radiance at a part's middle, from the table. */
+/* The disk's radiance at the middle of a part, from the table. */
 static void radiance_of(const SunDisk *disk, const Camera *camera, const Polygon *part, const float *table,
                         double radiance[3]) {
     double middle[2] = {0}, area = 0, direction[3], length2 = 0;
@@ -173,7 +175,8 @@ static void cover_pixel(const SunDisk *disk, const Camera *camera, const Strips 
         const double *bottom = strips->line[k], *top = strips->line[k + 1];
         const double below_top[3] = {-top[0], -top[1], -top[2]};
         Polygon above = clip(&pixel, bottom);
-        if (!above.count) break; /* and so is the pixel below all strips that follow */
+        /* The pixel is also below all strips that follow. */
+        if (!above.count) break;
         Polygon part = clip(&above, below_top);
         double area = part.count > 2 ? area_in(ellipse, &part) : 0;
         if (area <= 0) continue;
