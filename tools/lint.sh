@@ -129,6 +129,39 @@ check_constants() {
 # The names of a family's methods: methods --light.
 methods() { build/magichour info | awk -v family="$1" '/^[^ ]/ { listed = $1 == family; next } listed { print $1 }'; }
 
+# other_program NAME ENTRY SLOT FILE: what the window and `sky` draw is no pass of a picture, so that its text is made here, in the
+# way of src/scene/glsl_source.c: each file once, and a file in place of the slot.
+other_program() {
+    awk -v entry="$2" -v slot="$3" -v file="$4" '
+        function emit(path, number, n, line) {
+            while ((getline line <path) > 0) {
+                n++
+                if (line ~ /^#include "/) { split(line, part, "\""); include("glsl/" part[2]) }
+                else if (line == "#include <" slot ">") include(file)
+                else { print line; if (n > 1 || line !~ /^#version/) continue }
+                print "#line " n + 1 " " number
+            }
+        }
+        function include(path) {
+            if (path in seen) return
+            seen[path]
+            print "#line 1 " ++count
+            emit(path, count)
+        }
+        BEGIN { emit("glsl/pass/" entry ".glsl", 0) }' >"$programs/$1.frag"
+    echo "$1" >"$programs/$1.choice"
+}
+
+other_programs() {
+    echo 'void mainImage(out vec4 color, in vec2 at) { color = vec4(at / iResolution.xy, iTime, 1.0); }' >"$work/toy.glsl"
+    for way in glsl/pass/shown_*.glsl; do
+        grep -q 'vec3 shown_color' "$way" || continue
+        other_program "display-$(basename "$way" .glsl)" display shown "$way"
+    done
+    other_program sky_probe sky_probe sky glsl/pass/sky_uniform.glsl
+    other_program shadertoy shadertoy scene "$work/toy.glsl"
+}
+
 # Every program of each scene, with each method, through the reference compiler: a driver accepts more than the language has.
 # Programs that are made more than once are compiled once.
 check_glslang() {
@@ -149,6 +182,7 @@ check_glslang() {
     mkdir "$programs"
     export programs
     xargs -a "$work/choices" -d '\n' -n 1 -P "$(nproc)" "$0" --flatten || found=1
+    other_programs
     find "$programs" -name '*.frag' -print0 | xargs -0 -n 1 -P "$(nproc)" "$0" --compile >"$work/findings" || found=1
     # Each place once, with one of the choices that come by it.
     sort -u -t '(' -k 1,1 "$work/findings"
@@ -159,7 +193,7 @@ check_glslang() {
 # The programs of one choice, each into a file that is named by its content.
 if [ "${1-}" = --flatten ]; then
     # shellcheck disable=SC2086
-    if ! build/magichour flatten $2 >"$work/all" 2>"$work/log"; then
+    if ! build/magichour flatten $2 --all >"$work/all" 2>"$work/log"; then
         echo "${2%% *}:1: flatten $2: $(cat "$work/log")"
         exit 1
     fi
