@@ -1,4 +1,4 @@
-/* The commands: each composes the modules below for one word of the command line. */
+/* The commands. Each puts the other parts of the program together for one word of the command line. */
 #pragma once
 
 #include "cmd/options.h"

@@ -18,7 +18,7 @@
 enum { DEFAULT_SIDE = 256 };
 static const double default_seconds = 150;
 
-/* Each chart's part of the time. */
+/* The share of the time that each chart gets. */
 static const struct {
     const char *name;
     bool (*make)(const ChartParams *params, Error *error);
@@ -36,7 +36,7 @@ typedef struct Job {
     Gauge gauge;
 } Job;
 
-/* "paths,sky" */
+/* Reads a list such as "paths,sky". */
 static bool choose_charts(const char *list, bool wanted[CHARTS], Error *error) {
     if (!list) memset(wanted, true, CHARTS * sizeof *wanted);
     while (list) {

@@ -15,7 +15,7 @@ static void print_comparison(const Comparison *c) {
     if (c->has_z) printf("mean z^2     %.4f, |z| > 4 in %.4f %%\n", c->mean_z2, c->share_z4_percent);
 }
 
-/* NaN is past every bound. */
+/* NaN exceeds every bound. */
 static bool within(double value, double bound) {
     return isinf(bound) || fabs(value) <= bound;
 }
@@ -40,7 +40,7 @@ Status cmd_compare(const Options *options, Error *error) {
     print_comparison(&c);
     bool inside = within(c.rel_rmse_percent, options->max_relrmse_percent);
     for (int i = 0; i < 3; i++) inside = inside && within(c.bias_percent[i], options->max_bias_percent);
-    /* A bound is a promise about every pixel compared: one that is not finite breaks it. */
+    /* A bound is a promise about every pixel that is compared. A pixel that is not finite breaks it. */
     bool bounded = !isinf(options->max_relrmse_percent) || !isinf(options->max_bias_percent);
     if (inside && !(bounded && c.nonfinite)) return STATUS_DONE;
     error_set(error, STATUS_COMPARISON, "%s differs from %s by more than allowed", options->inputs[0],

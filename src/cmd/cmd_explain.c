@@ -12,7 +12,8 @@
 #include <string.h>
 
 enum { DEFAULT_SIDE = 128, SAMPLES = 64 };
-/* A way to less noise is needed where it is worth so much time; less is within what timing can tell. */
+/* A way to less noise is called needed from this gain in time on; a smaller one is within the error of
+ * timing. */
 static const double least_gain = 1.1;
 
 typedef struct Job {
@@ -22,7 +23,8 @@ typedef struct Job {
     RenderParams params;
     Context context;
     WorthBase base;
-    double percent; /* the error asked for */
+    /* The target error. */
+    double percent;
     Text table;
 } Job;
 
@@ -46,11 +48,11 @@ static bool prepare(Job *job, Error *error) {
 static const char *verdict_of(const Job *job, const Term *term, const Worth *worth) {
     if (worth->state != TERM_ON) return "off here";
     if (term->same_picture) return worth->gain > least_gain ? "needed" : "not needed";
-    /* What cannot be told from the error asked for is kept. */
+    /* A term counts as needed if its change may be more than the target error. */
     return fmax(worth->change_percent, worth->change_known) > job->percent ? "needed" : "not needed";
 }
 
-/* "0.31", or "< 0.02" where that is all that can be told. */
+/* Prints such as "0.31", or "< 0.02" if no more is known. */
 static void print_change(const Term *term, const Worth *worth, char *out, size_t size) {
     if (worth->state == TERM_NONE) {
         snprintf(out, size, "-");

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The tracing program alone, as it is compiled. */
+/* Prints only the program that traces paths, as it is compiled. */
 static bool print_trace(const Plan *plan, const RenderParams *params, Error *error) {
     GlslSource source = {0};
     bool ok = pass_text(&trace_pass, plan, params, &source, error);
@@ -14,7 +14,7 @@ static bool print_trace(const Plan *plan, const RenderParams *params, Error *err
     return ok;
 }
 
-/* All programs in the order in which they are drawn, each behind a line with its name. */
+/* Prints all programs in the order in which they are drawn, each after a line with its name. */
 static bool print_all(const Plan *plan, const RenderParams *params, Error *error) {
     PassList list = pass_list(plan, params);
     for (int i = 0; i < list.count; i++) {

@@ -46,8 +46,7 @@ static void print_atmosphere(const Atmosphere *atmosphere) {
     }
 }
 
-/* The hint's words as the file has them, and the numbers that they are now where a word is a slider's name.
- */
+/* Prints the hint as the file has it, and the current numbers where a word is a slider's name. */
 static void print_hint(const Scene *scene, HintKind kind, int index) {
     const HintInfo *info = hint_info(kind);
     const Hint *hint = &scene->file->hints[kind].list[index];

@@ -28,7 +28,7 @@ static bool check_outputs(const Options *options, Error *error) {
     return true;
 }
 
-/* Layers are asked for by name, and need a file that holds them. */
+/* Checks the names of the layers, and that the picture's file format can hold them. */
 static bool check_aov(const Options *options, unsigned *kinds, Error *error) {
     if (!aov_parse(options->aov, kinds, error)) return false;
     for (int i = 0; i < options->output_count; i++) {
@@ -66,19 +66,19 @@ static bool prepare(RenderJob *job, Error *error) {
            aov_create(&job->aov, job->aov_kinds, &job->context, &params, &job->renderer, error);
 }
 
-/* The error to stop at; 0 is none. */
+/* The error at which to stop; 0 if there is none. */
 static double wanted_error(const Options *options) {
     if (options->error_percent > 0) return options->error_percent;
     return options->samples || options->seconds > 0 ? 0 : AUTO_ERROR_PERCENT;
 }
 
-/* The sky's, as far as it is known. */
+/* The sky's bias, or 0 if it is not known. */
 static double known_bias(const RenderJob *job) {
     return isnan(job->renderer.sky_bias_percent) ? 0 : job->renderer.sky_bias_percent;
 }
 
-/* What noise may be for noise and bias to make up the error together. A bias that is more than the error
- * alone, of a sky that was asked for, stays out of it. */
+/* The noise with which noise and bias together reach the target error. A bias that alone exceeds the target,
+ * which a sky of the user's choice may have, is left out. */
 static double noise_left(double percent, double bias) {
     return bias < percent ? sqrt(percent * percent - bias * bias) : percent;
 }
@@ -90,7 +90,7 @@ static bool enough(const ProgressFigures *figures) {
     return figures->target_seconds > 0 && figures->seconds >= figures->target_seconds;
 }
 
-/* Towards less error than there is by now, if time is all that limits. */
+/* If only the time is limited, each group of samples aims at less error than there is. */
 static bool sample(RenderJob *job, Error *error) {
     const ProgressFigures *figures = &job->figures;
     double percent = figures->target_noise_percent;
@@ -140,8 +140,8 @@ static bool render(RenderJob *job, Error *error) {
         progress_report(&progress, figures);
     }
     if (!read_picture(job, error)) return false;
-    figures->paths =
-        job->count.accepted + job->count.rejected; /* fewer than samples x pixels if stopped early */
+    /* There are fewer than samples x pixels if it was stopped early. */
+    figures->paths = job->count.accepted + job->count.rejected;
     figures->rejected = job->count.rejected;
     figures->sun_by_chance = job->renderer.sun_by_chance || chance_matters(&job->chance);
     figures->chance = job->chance;
@@ -155,7 +155,7 @@ static bool render(RenderJob *job, Error *error) {
     return true;
 }
 
-/* The metadata: enough to make the picture again. */
+/* Adds the metadata from which the picture can be made again. */
 static void describe(const RenderJob *job, int argc, char **argv, AttributeList *list) {
     Text command = {0};
     text_print_command(&command, argc, argv);

@@ -18,18 +18,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DISK_SAMPLES = 16 }; /* a side, in each pixel that the disk may touch */
+/* Samples on each side of a pixel that the disk may touch. */
+enum { DISK_SAMPLES = 16 };
 
-/* What auto is asked for: a third of it is the bias, and a map has no other error. */
+/* The target error for auto. It allows a third of it as bias, and a map has no other error. */
 static const double map_error_percent = 0.3;
 
 typedef struct Job {
     const Options *options;
     char *library;
-    Scene scene; /* the sky's settings; nothing else of a scene */
+    /* Only the sky's settings are used. */
+    Scene scene;
     Context context;
     SkyProbe probe;
-    const char *method; /* in full */
+    /* The method's full name. */
+    const char *method;
 } Job;
 
 static SkyState state_of(const Scene *scene) {
@@ -57,10 +60,8 @@ static bool open_probe(Job *job, double directions, Error *error) {
            sky_probe_create(&job->probe, &job->context, job->library, &choice, a, error);
 }
 
-/* Maps */
-
-/* Row 0 is +y, the centre column +z, a quarter from the left +x: the lat-long layout of OpenEXR and Mitsuba.
- */
+/* Maps. Row 0 is +y, the middle column is +z, and +x is a quarter of the width from the left: the lat-long
+ * layout of OpenEXR and Mitsuba. */
 static void map_direction(double x, double y, int width, int height, double out[3]) {
     unit_vector(90 - 180 * y / height, 180 - 360 * x / width, out);
 }
@@ -144,7 +145,7 @@ static bool make_map(Job *job, int argc, char **argv, Error *error) {
     return ok;
 }
 
-/* Rows */
+/* Rows of `sky --at`. */
 
 static int compare_rows(const void *left, const void *right) {
     const SkyRow *a = *(SkyRow *const *)left, *b = *(SkyRow *const *)right;
@@ -160,7 +161,7 @@ static void ask_reference(const Job *job, SkyRow *row) {
     sky_reference(&job->scene.values.atmosphere, row->height_m, view, sun, row->radiance);
 }
 
-/* Rows that share an observer and a sun, asked together. */
+/* Looks up rows that share an observer and a sun. */
 static bool ask_group(Job *job, SkyRow **rows, size_t count, Error *error) {
     SkyState state = {job->scene.values.atmosphere,
                       sun_at(rows[0]->sun_el_deg, 0, job->scene.values.sun.radius_deg)};
@@ -184,7 +185,7 @@ static bool ask_rows(Job *job, SkyRows *rows, Error *error) {
         for (size_t i = 0; i < rows->count; i++) ask_reference(job, &rows->rows[i]);
         return true;
     }
-    /* Few directions share a sun here: without a wish, no table. */
+    /* Few of these directions share a sun, so no table is made unless the user chose one. */
     if (!open_probe(job, 1, error)) return false;
     SkyRow **order = memory_get(rows->count, sizeof *order);
     for (size_t i = 0; i < rows->count; i++) order[i] = &rows->rows[i];

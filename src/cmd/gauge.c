@@ -36,7 +36,7 @@ void gauge_report(void *state, double share, const char *words) {
         int filled = (int)lround(BAR * share);
         snprintf(line, sizeof line, "[%.*s%.*s] %3.0f %%, %.0f s, %s", filled, "########################",
                  BAR - filled, "                        ", 100 * share, seconds, words);
-        /* Cut to the window, or the line would wrap and scroll at each report. */
+        /* The line is cut to the terminal's width. Otherwise it would wrap and scroll at each report. */
         fprintf(stderr, "\r%.*s\033[K", terminal_columns(STDERR_FILENO) - 1, line);
         gauge->line = true;
     }

@@ -24,7 +24,7 @@ static const struct {
 };
 enum { STATUSES = sizeof statuses / sizeof *statuses };
 
-/* Prints words in lines that end before column `columns`. The first word stands at column `column`, further
+/* Prints words in lines that end before column `columns`. The first word is at column `column`, and further
  * lines begin at column `indent`. */
 static void print_wrapped(const char *words, int column, int indent, int columns, Text *out) {
     bool first = true;
@@ -46,7 +46,7 @@ static void print_wrapped(const char *words, int column, int indent, int columns
     text_print(out, "\n");
 }
 
-/* A row of two columns. A left side that does not fit has a line of its own. */
+/* Prints a row of two columns. A left side that does not fit has a line of its own. */
 static void print_row(const char *left, int indent, const char *right, int columns, Text *out) {
     if ((int)strlen(left) > indent - 4)
         text_print(out, "  %s\n%*s", left, indent, "");
@@ -55,13 +55,13 @@ static void print_row(const char *left, int indent, const char *right, int colum
     print_wrapped(right, indent, indent, columns, out);
 }
 
-/* "--size WxH", "--sun-disk[=METHOD]", "-h, --help". */
+/* Prints such as "--size WxH", "--sun-disk[=METHOD]" or "-h, --help". */
 static void option_words(const OptionRow *row, char *words, size_t size) {
     snprintf(words, size, "%s%s%s%s%s", row->alias ? row->alias : "", row->alias ? ", " : "", row->name,
              row->argument && row->kind != OPTION_OPTIONAL ? " " : "", row->argument ? row->argument : "");
 }
 
-/* What an option does; of one that takes a method also which methods there are, and what auto takes. */
+/* Prints what an option does. For an option that takes a method it adds the methods and what auto chooses. */
 static void print_option_help(const OptionRow *row, Text *out) {
     text_print(out, "%s", row->help);
     for (int family = 0; family < METHOD_FAMILIES; family++) {
@@ -120,7 +120,7 @@ void help_print(Command command, int columns, Text *out) {
         print_group(command, (OptionGroup)group, columns, out);
 }
 
-/* Words as man(7) takes them: a hyphen that is typed as such, no macro at a line's start. */
+/* Prints words for man(7): hyphens are escaped, and no line starts with a macro. */
 static void print_manual_words(const char *words, Text *out) {
     for (const char *c = words; *c; c++) {
         if (*c == '-')

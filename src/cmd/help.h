@@ -1,11 +1,12 @@
-/* Help and the manual page, both made from the table of options. */
+/* The help and the manual page, which are made from the table of options. */
 #pragma once
 
 #include "base/text.h"
 #include "cmd/options.h"
 
-/* The help of a command, or of the program (COMMAND_NONE), in lines of at most `columns` (48 at least). */
+/* Writes the help of a command, or of the program for COMMAND_NONE, in lines of at most `columns` characters
+ * (48 or more). */
 void help_print(Command command, int columns, Text *out);
 
-/* The manual page magichour(1), in the macros of man(7). */
+/* Writes the manual page magichour(1) in the macros of man(7). */
 void help_print_manual(Text *out);

@@ -8,8 +8,8 @@
 static volatile sig_atomic_t requested;
 static double first_seconds;
 
-/* A later second signal takes its default course; not one at once, as `timeout` sends it, to the program and
- * to its group. */
+/* A second signal takes its default course, but not one that comes at once: `timeout` sends its signal both
+ * to the program and to its group. */
 static void handle(int signal_number) {
     double now = clock_seconds();
     if (requested && now > first_seconds + 0.3) {

@@ -1,4 +1,4 @@
-/* Ctrl-C, SIGTERM and SIGHUP ask a rendering to stop and save; a second one ends the program at once. */
+/* Ctrl-C, SIGTERM and SIGHUP make a rendering stop and save. A second one ends the program at once. */
 #pragma once
 
 #include <stdbool.h>

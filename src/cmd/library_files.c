@@ -6,7 +6,7 @@
 
 static const char ending[] = ".glsl";
 
-/* Whether a word of the list is this path. */
+/* Whether `word` is one of the words of the list. */
 static bool has_word(const char *list, const char *word) {
     size_t length = strlen(word);
     for (const char *at = list; (at = strstr(at, word)); at++) {
@@ -15,7 +15,8 @@ static bool has_word(const char *list, const char *word) {
     return false;
 }
 
-/* The files of one folder ("shape"; "" for the library's own) that are compiled, or those that are not. */
+/* Prints the files of one folder (such as "shape"; "" is the library's own) that are compiled, or those that
+ * are not. */
 static void print_files(const char *library, const char *folder, const char *compiled, bool wanted,
                         Text *out) {
     struct dirent **entries = NULL;

@@ -1,7 +1,8 @@
-/* The GLSL library's files, and which of them are in a shader. */
+/* Lists the GLSL library's files, and which of them a shader includes. */
 #pragma once
 
 #include "base/text.h"
 
-/* A line for each folder: "  shape: plane sphere, not box cone". `compiled` is paths with blanks between. */
+/* Prints a line for each folder, such as "  shape: plane sphere, not box cone". `compiled` is a list of paths
+ * with blanks between. */
 void library_files_print(const char *library, const char *compiled, Text *out);

@@ -35,7 +35,7 @@ enum {
     ALL = R | V | C | I | F | S | H | E | COMMAND_HELP
 };
 
-/* A row's kind, function and place. */
+/* These are a row's kind, function and offset. */
 #define TAKE(function) OPTION_TAKE, function, 0
 #define STRING(member) OPTION_STRING, NULL, offsetof(Options, member)
 #define OPTIONAL(member) OPTION_OPTIONAL, NULL, offsetof(Options, member)

@@ -1,4 +1,4 @@
-/* The one table of commands and options, which parsing, help and the manual page are made from. */
+/* The one table of commands and options, from which parsing, help and the manual page are made. */
 #pragma once
 
 #include "cmd/option_values.h"
@@ -9,7 +9,7 @@ typedef struct CommandRow {
     int min_inputs, max_inputs;
 } CommandRow;
 
-/* The headings that help sorts options under. */
+/* The headings under which help lists options. */
 typedef enum OptionGroup {
     GROUP_OUTPUT,
     GROUP_SKY,
@@ -19,7 +19,7 @@ typedef enum OptionGroup {
     OPTION_GROUPS
 } OptionGroup;
 
-/* Options that keep their word or switch something on need no code of their own. */
+/* Options that only keep their word or switch something on need no code of their own. */
 typedef enum OptionKind {
     /* Its value goes through `take`. */
     OPTION_TAKE,
@@ -36,14 +36,14 @@ typedef struct OptionRow {
     const char *name;
     /* What stands for its value in help; NULL for a flag. */
     const char *argument;
-    /* The commands that it belongs to, as one set of bits. An option may have further rows for other
+    /* The commands to which it belongs, as a set of bits. An option may have further rows for other
      * commands. */
     int commands;
     OptionKind kind;
     OptionTake *take;
-    /* Of the string or flag in Options. */
+    /* The offset of its string or flag in Options. */
     size_t offset;
-    /* For an option that takes a method, help adds which there are (choice/method.h). */
+    /* What it does. For an option that takes a method, help adds the methods (choice/method.h). */
     const char *help;
     /* A second name, or NULL. */
     const char *alias;

@@ -35,7 +35,8 @@ bool take_size(Options *options, const char *name, const char *value, Error *err
         h > 1000000000) {
         return error_set(error, STATUS_USAGE, "%s: '%s' is not WIDTHxHEIGHT", name, value);
     }
-    /* 0 is how absence is marked: hand on a size that the check of limits refuses just as well. */
+    /* 0 stands for an option that was not given. So 0 becomes another size that the check of limits refuses
+     * too. */
     options->width = w ? (int)w : -1;
     options->height = h ? (int)h : -1;
     if (!w || !h)
@@ -103,7 +104,7 @@ bool take_max_bias(Options *options, const char *name, const char *value, Error 
     return number_parse_range(name, value, 0, 1e9, &options->max_bias_percent, error);
 }
 
-/* An option of one of these words. */
+/* Reads an option whose value is one of these words. */
 static bool take_word(const char *name, const char *value, const char *const *words, const char **target,
                       Error *error) {
     Text known = {0};

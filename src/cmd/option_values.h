@@ -1,5 +1,5 @@
-/* What each option accepts: one function for each whose value is more than a word to keep. A refusal is a
- * STATUS_USAGE with the option's name in front. */
+/* The values that options accept: one function for each option whose value is more than a word to keep. A
+ * refused value is STATUS_USAGE with the option's name in front. */
 #pragma once
 
 #include "cmd/options.h"

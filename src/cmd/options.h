@@ -1,5 +1,5 @@
-/* The command line as one struct. Which option belongs to which command, and its help, stand in one table:
- * option_table.c. */
+/* The command line as one struct. The table of options (option_table.c) holds their help and which commands
+ * take them. */
 #pragma once
 
 #include "base/error.h"
@@ -19,7 +19,7 @@ typedef enum Command {
     COMMAND_HELP = 1 << 8
 } Command;
 
-/* Options that were not given are NULL, 0 or false, unless said otherwise. Strings are argv's own. */
+/* Options that were not given are NULL, 0 or false, unless it is said otherwise. Strings belong to argv. */
 typedef struct Options {
     Command command;
     const char *inputs[2];
@@ -27,7 +27,7 @@ typedef struct Options {
     const char *outputs[8];
     int output_count;
 
-    /* The help of `command` is asked for, or the program's where that is COMMAND_NONE. */
+    /* Whether the help of `command` is wanted, or the program's if that is COMMAND_NONE. */
     bool help;
     bool version, manual;
 
@@ -36,14 +36,14 @@ typedef struct Options {
     double sun_elevation_deg, sun_azimuth_deg;
     const char *preset, *atmosphere, *sky, *light, *sequence, *backend, *glsl_dir;
 
-    /* Words "NAME=VALUE". */
+    /* Words such as "NAME=VALUE". */
     const char *settings[64];
     int setting_count;
 
     unsigned long long samples;
     double seconds, error_percent;
 
-    /* A list of charts: "paths,sky". */
+    /* A list of charts such as "paths,sky". */
     const char *charts;
 
     unsigned seed;
@@ -55,21 +55,21 @@ typedef struct Options {
     /* The file of directions of `sky`. */
     const char *at;
 
-    /* The folder that a day's frames go to. */
+    /* The folder for the frames of a day. */
     const char *record;
 
-    /* A list of layers: "albedo,depth". */
+    /* A list of layers such as "albedo,depth". */
     const char *aov;
 
-    /* The method that finds the sun's disk, "auto" where the option has no word. */
+    /* The method for the sun's disk; "auto" if the option has no word. */
     const char *sun_disk;
 
     bool quiet, verbose;
 
-    /* `flatten`: every program of a picture, as text or as JSON lines. */
+    /* For `flatten`: print every program of a picture, as text or as JSON lines. */
     bool all, json;
 
-    /* Infinite where they were not given. */
+    /* Infinite if they were not given. */
     double max_relrmse_percent, max_bias_percent;
 
     const char *standard_error, *mask;

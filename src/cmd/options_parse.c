@@ -32,8 +32,8 @@ static size_t least(size_t a, size_t b) {
     return a < b ? a : b;
 }
 
-/* How many letters have to be put in, left out, changed or swapped with their neighbour to make one word of
- * the other. */
+/* The number of letters that must be inserted, removed, changed or swapped with their neighbour to make one
+ * word of the other. */
 static size_t word_distance(const char *a, size_t a_length, const char *b) {
     size_t b_length = strlen(b), width = b_length + 1;
     size_t *table = memory_get((a_length + 1) * width, sizeof *table);
@@ -55,8 +55,8 @@ static size_t word_distance(const char *a, size_t a_length, const char *b) {
     return distance;
 }
 
-/* Keeps in `nearest` the name that is like `word`, if it is nearer than what was found before: one wrong
- * letter in three is still like it. */
+/* Puts `name` into `nearest` if it is like `word` and nearer than what was found before. At most one letter
+ * in three may be wrong. */
 static void try_name(const char *name, const char *word, size_t length, const char **nearest,
                      size_t *distance) {
     size_t trial = word_distance(word, length, name);
@@ -109,7 +109,7 @@ static bool take_option(Options *options, const OptionRow *option, const char *v
     return false;
 }
 
-/* argv[*at] is an option; moves *at over its value. */
+/* Reads the option argv[*at] and moves *at past its value. */
 static bool parse_option(Options *options, int argc, char **argv, int *at, const CommandRow *command,
                          Error *error) {
     const char *word = argv[*at];
@@ -147,7 +147,7 @@ static bool parse_words(Options *options, int argc, char **argv, const CommandRo
     return true;
 }
 
-/* `help render` is `render --help`, and `help` alone is `--help`. */
+/* `help render` means `render --help`, and `help` alone means `--help`. */
 static bool take_help(Options *options, Error *error) {
     const CommandRow *asked = options->input_count ? find_command(options->inputs[0]) : NULL;
     if (options->input_count && !asked) return unknown_command(options->inputs[0], error);

@@ -37,7 +37,7 @@ static void print_uniform(const Pass *pass, const Uniform *uniform, FILE *file) 
     json_end(&json, file);
 }
 
-/* As program_set() chooses, before there is a program. */
+/* Chooses the uniforms as program_set() does, before there is a program. */
 static void print_uniforms(const Pass *pass, const GlslSource *source, const GlslUniforms *declared,
                            const Uniforms *uniforms, FILE *file) {
     for (int i = 0; i < uniforms->count; i++) {

@@ -24,7 +24,7 @@ static double seconds_left(const ProgressFigures *figures) {
     double left = INFINITY;
     if (figures->target_samples && figures->samples > 0)
         left = figures->seconds * ((double)figures->target_samples / figures->samples - 1);
-    /* The error falls by the root of the time, or a little faster. */
+    /* The error falls with the square root of the time, or a little faster. */
     if (figures->target_error_percent > 0 && figures->error_percent < INFINITY)
         left = figures->seconds * (pow(figures->error_percent / figures->target_error_percent, 2) - 1);
     if (figures->target_seconds > 0) left = fmin(left, figures->target_seconds - figures->seconds);
@@ -44,7 +44,7 @@ static void report_terminal(Progress *progress, const ProgressFigures *figures) 
         snprintf(left, sizeof left, ", %.0f s left", ceil(seconds_left(figures)));
     snprintf(line, sizeof line, "%s%.0f%s samples, %.1f Mpaths/s%s", reached, figures->samples, target,
              1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), left);
-    /* Cut to the window, or the line would wrap and scroll at each report. */
+    /* The line is cut to the terminal's width. Otherwise it would wrap and scroll at each report. */
     fprintf(stderr, "\r%.*s\033[K", terminal_columns(STDERR_FILENO) - 1, line);
     progress->line = true;
 }

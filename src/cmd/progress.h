@@ -1,4 +1,4 @@
-/* How far a rendering is: a line on a terminal, or JSON lines, on standard error. */
+/* Shows the progress of a rendering on standard error: a line on a terminal, or JSON lines. */
 #pragma once
 
 #include "cmd/options.h"
@@ -10,28 +10,35 @@ typedef enum ProgressKind { PROGRESS_NONE, PROGRESS_TTY, PROGRESS_JSON } Progres
 
 typedef struct Progress {
     ProgressKind kind;
-    double last; /* seconds at the last report */
-    bool line;   /* an unfinished line stands on the terminal */
+    /* The time of the last report, seconds. */
+    double last;
+    /* Whether there is an unfinished line on the terminal. */
+    bool line;
 } Progress;
 
-/* One report's figures; times in seconds. */
+/* The figures of one report. */
 typedef struct ProgressFigures {
-    double samples;          /* mean of the pixels' */
-    uint64_t target_samples; /* 0 if something else limits */
+    /* The mean over the pixels. */
+    double samples;
+    /* 0 if something else limits the picture. */
+    uint64_t target_samples;
     uint64_t paths;
-    double noise_percent; /* of error_percent, and its goal; the rest is the sky's bias */
+    /* The part of error_percent that is noise, and its target. The rest is the sky's bias. */
+    double noise_percent;
     double target_noise_percent;
-    double error_percent,
-        target_error_percent;       /* estimated relRMSE, infinite while it is not known; target 0 is none */
-    double seconds, target_seconds; /* target 0 if something else limits */
+    /* The estimated relRMSE, infinite while it is not known. The target is 0 if there is none. */
+    double error_percent, target_error_percent;
+    /* The target is 0 if something else limits the picture. */
+    double seconds, target_seconds;
     double startup_seconds;
     uint64_t rejected;
-    double search_rays, search_steps, search_broken, search_cut; /* all 0 where the scene does not search */
+    /* All are 0 if the scene does not search. */
+    double search_rays, search_steps, search_broken, search_cut;
     bool done, interrupted;
-    /* Whether some of the sun's light is found by chance: then the error leaves out what no sample has found.
-     */
+    /* Whether some of the sun's light is found only by luck. Then the error leaves out light that no sample
+     * has found. */
     bool sun_by_chance;
-    /* How much, where it was counted. */
+    /* How much light is left to chance, if that was counted. */
     FilmChance chance;
 } ProgressFigures;
 

@@ -1,4 +1,4 @@
-/* One run of `render`, and its words: what was chosen, what came of it, and what to beware of. */
+/* One run of `render`, and what it prints: its choices, its result and its warnings. */
 #pragma once
 
 #include "cmd/options.h"
@@ -21,16 +21,16 @@ typedef struct RenderJob {
     FilmCount count;
     FilmSearch search;
     FilmChance chance;
-    /* Somewhere in the layer of variances. */
+    /* Whether the layer of variances has pixels whose variance is not known. */
     bool variance_unknown;
     ProgressFigures figures;
 } RenderJob;
 
-/* -v: the methods, the backend and the files, on standard error. */
+/* Prints the methods, the backend and the files on standard error (-v). */
 void render_say_choices(const RenderJob *job);
 
-/* The line at the end, on standard output. */
+/* Prints the last line on standard output. */
 void render_say_summary(const RenderJob *job);
 
-/* What may be wrong with the picture, on standard error. */
+/* Prints what may be wrong with the picture on standard error. */
 void render_warn(const RenderJob *job);

@@ -15,8 +15,8 @@ void render_say_choices(const RenderJob *job) {
     fprintf(stderr, "backend %s (%s): %s, OpenGL %s\n", job->context.backend->name, job->context.detail,
             job->context.renderer, job->context.version);
     fprintf(stderr, "sky %s, sun disk %s, light %s, sequence %s, at most %d hits, groups of %u samples\n",
-            renderer->plan.sky.text, renderer->plan.sun.text, renderer->plan.light.text, renderer->plan.sequence.text,
-            renderer->plan.max_hits, renderer->plan.group_samples);
+            renderer->plan.sky.text, renderer->plan.sun.text, renderer->plan.light.text,
+            renderer->plan.sequence.text, renderer->plan.max_hits, renderer->plan.group_samples);
     say_why("sky", &renderer->plan.sky);
     say_why("light", &renderer->plan.light);
     const Resource *table = resources_find(&renderer->tables, &sky_table);
@@ -27,7 +27,7 @@ void render_say_choices(const RenderJob *job) {
     fprintf(stderr, "compiled: %s\n", text_string(&renderer->source_files));
 }
 
-/* What the picture errs, and in what. */
+/* Prints the picture's error and its parts. */
 static void say_error(const RenderJob *job) {
     const ProgressFigures *figures = &job->figures;
     double bias = job->renderer.sky_bias_percent;

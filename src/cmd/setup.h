@@ -1,14 +1,14 @@
-/* What several commands start with: where the GLSL library is, and a scene with the command line's settings
- * made. */
+/* The first steps of several commands: find the GLSL library, and read a scene with the command line's
+ * settings. */
 #pragma once
 
 #include "cmd/options.h"
 #include "scene/scene.h"
 
-/* The GLSL library's folder: --glsl-dir, else the first glsl/ (or share/magichour/glsl/) found going up from
- * the program's own folder. To be freed. */
+/* Finds the GLSL library's folder: --glsl-dir, else the first glsl/ (or share/magichour/glsl/) on the way up
+ * from the program's own folder. The caller frees it. */
 MUST_CHECK bool setup_library(const Options *options, char **library, Error *error);
 
-/* Reads the scene (without a file: an empty one, for the sky), then applies in this order: --preset,
- * --atmosphere, --sun, --set. */
+/* Reads the scene, or makes an empty one for the sky if there is no file. Then it applies --preset,
+ * --atmosphere, --sun and --set, in this order. */
 MUST_CHECK bool setup_scene(const Options *options, Scene *scene, Error *error);

@@ -16,7 +16,7 @@ static const struct {
 } columns[4] = {
     {"height_m", 0, 1e6}, {"sun_el_deg", -90, 90}, {"view_el_deg", -90, 90}, {"az_deg", -360, 360}};
 
-/* Cuts the next word between commas, without the blanks about it; false at the line's end. */
+/* Cuts off the next word between commas, without the blanks around it. Returns false at the line's end. */
 static bool next_word(char **line, char **word) {
     if (!*line) return false;
     *word = *line + strspn(*line, " \t");

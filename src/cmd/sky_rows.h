@@ -4,21 +4,25 @@
 #include "base/text.h"
 
 typedef struct SkyRow {
-    double height_m, sun_el_deg, view_el_deg, az_deg; /* azimuth from the sun's */
+    /* The azimuth is measured from the sun's. */
+    double height_m, sun_el_deg, view_el_deg, az_deg;
     double radiance[3];
-    char words[4][32]; /* as they were written */
+    /* The numbers as they were written. */
+    char words[4][32];
 } SkyRow;
 
 typedef struct SkyRows {
-    SkyRow *rows; /* owned */
+    /* Owned. */
+    SkyRow *rows;
     size_t count;
-    Text comments; /* the lines that start with #, each with its end */
+    /* The lines that start with #, each with its end. */
+    Text comments;
 } SkyRows;
 
-/* A header line and lines that start with # are allowed, further columns ignored. A bad row is an error with
- * its line. */
+/* Reads the rows of a file. A header line and lines that start with # are allowed, and further columns are
+ * ignored. The error for a bad row names its line. */
 MUST_CHECK bool sky_rows_read(SkyRows *rows, const char *path, Error *error);
 void sky_rows_free(SkyRows *rows);
 
-/* The comments, a header, and each row with R,G,B in full precision. */
+/* Prints the comments, a header, and each row with R,G,B in full precision. */
 void sky_rows_print(const SkyRows *rows, Text *out);

@@ -1,5 +1,5 @@
-/* The terminal that the program writes to. */
+/* The terminal to which the program writes. */
 #pragma once
 
-/* Columns of the terminal behind a file descriptor; 80 where there is none. */
+/* The number of columns of the terminal behind a file descriptor; 80 if there is none. */
 int terminal_columns(int descriptor);

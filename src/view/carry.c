@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* One setting of several numbers, which are kept together. */
+/* Copies one setting of `count` numbers, which are kept together. */
 static void carry(double *next, const double *file, const double *current, int count) {
     size_t size = (size_t)count * sizeof *next;
     if (memcmp(file, current, size) != 0) memcpy(next, current, size);

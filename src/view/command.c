@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* As short as reads back as the same number. */
+/* Prints the shortest digits that read back as the same number. */
 static void print_number(Text *text, const char *before, double value) {
     char shortest[40];
     for (int digits = 6; digits <= 17; digits++) {
@@ -25,8 +25,8 @@ static bool differ(const double *a, const double *b, int count) {
     return memcmp(a, b, (size_t)count * sizeof *a) != 0;
 }
 
-/* Wavelengths and the like come first, as setting them computes the Rayleigh coefficients anew, which follow.
- */
+/* Wavelengths and the like come first, because setting them recomputes the Rayleigh coefficients, which
+ * follow. */
 static void print_atmosphere(Text *text, const Atmosphere *atmosphere, const Atmosphere *file) {
     static const char *const first[] = {"wavelengths_nm", "refractive_index", "molecules_per_m3"};
     bool anew = false;

@@ -45,7 +45,7 @@ static Drag drag_of(Controls *controls, ViewState *state, const WindowEvent *eve
     if (event->key == GLFW_MOUSE_BUTTON_MIDDLE) return DRAG_PAN;
     if (event->key != GLFW_MOUSE_BUTTON_LEFT) return DRAG_NONE;
     if (controls->held[HELD_S]) {
-        /* The S was no wish to fly. */
+        /* The S did not mean to fly. */
         controls->s_drags = true;
         memcpy(state->scene.values.camera.eye, controls->eye_before_s, sizeof state->scene.values.camera.eye);
         memcpy(state->scene.values.camera.target, controls->target_before_s,
@@ -136,7 +136,7 @@ void controls_event(Controls *controls, ViewState *state, const WindowEvent *eve
     }
 }
 
-/* In a second half the way from the eye to its target, at least half a metre. */
+/* The speed is half the way from the eye to its target in a second, but at least half a metre. */
 void controls_fly(Controls *controls, ViewState *state, double seconds) {
     const bool *held = controls->held;
     bool s_flies = held[HELD_S] && !controls->s_drags && clock_seconds() - controls->s_since > 0.15;

@@ -5,7 +5,7 @@
 #include <math.h>
 static const double usual_noon_deg = 60, dark_deg = -18;
 
-/* At latitude 90 - noon, the sun on the equator: sin elevation = sin noon cos hour. */
+/* At latitude 90 - noon and with the sun on the equator, sin elevation = sin noon cos hour. */
 static double hour_of(const Day *day, double elevation_deg) {
     double cosine = sin(elevation_deg * degree) / sin(day->noon_deg * degree);
     return acos(fmin(fmax(cosine, -1), 1)) * 12 / pi;

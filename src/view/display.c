@@ -38,7 +38,7 @@ static const Program *use(const Display *display, DisplayWay way, const DisplayP
     return program;
 }
 
-/* The film's sums; its compensation is below what 8 bits show. */
+/* The texture of the film's sums. What `rest` would add is too small to show in 8 bits. */
 static GLuint front(const Film *film) {
     return film->target.textures[film->target.front][0];
 }
@@ -47,7 +47,7 @@ static GLuint back(const Film *film) {
     return film->target.textures[1 - film->target.front][0];
 }
 
-/* Columns [left, right) and rows [top, bottom) of a film. */
+/* Draws the columns [left, right) and rows [top, bottom) of a film. */
 static void draw_part(const Display *display, const DisplayParams *params, GLuint texture, const Film *film,
                       const int columns[2], const int rows[2]) {
     bool same = film->width == params->width && film->height == params->height;

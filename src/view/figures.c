@@ -6,10 +6,12 @@
 #include <string.h>
 
 void curve_extend(ErrorCurve *curve, double seconds, double percent) {
-    if (!(percent > 0) || !isfinite(percent)) return; /* a constant picture has no error */
+    /* The estimate is 0 for a constant picture, and a logarithmic axis has no place for it. */
+    if (!(percent > 0) || !isfinite(percent)) return;
     bool near = curve->count && seconds < 1.05 * curve->seconds[curve->count - 1];
     if (near) return;
-    if (curve->count == MOST_CURVE) { /* every other point does for the past */
+    /* Every other point is enough for the past. */
+    if (curve->count == MOST_CURVE) {
         for (int i = 0; i < MOST_CURVE / 2; i++) {
             curve->seconds[i] = curve->seconds[2 * i];
             curve->percent[i] = curve->percent[2 * i];

@@ -20,8 +20,8 @@ typedef struct SideFigures {
     uint64_t samples;
     /* The estimated error. NaN while it is not known. */
     double error_percent;
-    /* The share of the picture's light that is found by chance, which the error may not know. 0 if there is
-     * none. */
+    /* The share of the picture's light that is found only by luck, percent; the error may leave it out. 0 if
+     * there is none. */
     double chance_percent;
     double paths_per_second, seconds;
     /* The side of a preview's pixel, in pixels of the picture. 1 if the picture is at rest. */

@@ -5,9 +5,9 @@
 #include "view/figures.h"
 
 typedef struct Inspect {
-    /* Made when it is first asked for. */
+    /* Created when it is first needed. */
     Aov aov;
-    /* The scene that it knows; owned. */
+    /* The scene for which the AOVs were made; owned. */
     Scene told;
     int width, height;
 } Inspect;

@@ -33,7 +33,7 @@ const KeysHelp *keys_help(int index) {
     return index >= 0 && index < (int)(sizeof help / sizeof *help) ? &help[index] : NULL;
 }
 
-/* "-4", "-4 90" or "-4, 90". */
+/* Reads "-4", "-4 90" or "-4, 90". */
 static void end_prompt(ViewState *state) {
     Scene scene = view_scene(state, state->prompt_side);
     double elevation, azimuth = scene.values.sun.azimuth_deg;
@@ -127,7 +127,7 @@ static void change_exposure(ViewState *state, double stops) {
     state->scene.values.exposure_ev = fmin(fmax(state->scene.values.exposure_ev + stops, -64), 64);
 }
 
-/* Arrows; azimuth grows to the left of who looks along +z. */
+/* Handles the arrow keys. Azimuth grows to the left for someone who looks along +z. */
 static void arrow(ViewState *state, int key, double step_deg, double x, int width) {
     int side = view_side_at(state, x, width);
     if (key == GLFW_KEY_UP) view_turn_sun(state, side, step_deg, 0);

@@ -17,6 +17,7 @@ void keys_pressed(ViewState *state, int key, bool shift, int width);
 /* Does what a key does once. */
 void keys_pressed_once(ViewState *state, int key, int width);
 
-/* While the sun's place is asked for: a key that ends or corrects what is typed, and a character of it. */
+/* For the prompt that reads the sun's place: a key that ends or corrects what is typed, and a character of
+ * it. */
 void keys_prompt(ViewState *state, int key);
 void keys_prompt_text(ViewState *state, unsigned codepoint);

@@ -7,7 +7,7 @@
 
 static const double nearest = 1e-3, farthest = 1e5, most_coordinate = 9e5, steepest_deg = 89.5;
 
-/* A vector as its length, its azimuth from +z toward +x and its elevation. */
+/* A vector as length, azimuth from +z toward +x, and elevation. */
 typedef struct Polar {
     double length, azimuth_deg, elevation_deg;
 } Polar;

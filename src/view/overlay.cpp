@@ -12,15 +12,18 @@
 
 struct Overlay {
     Window *window;
-    std::vector<WindowEvent>
-        postponed; /* keys let go of in the frame in which they were pressed: ImGui would miss those */
-    std::vector<int> pressed; /* in this frame */
+    /* Keys that were released in the frame in which they were pressed. ImGui would miss these. */
+    std::vector<WindowEvent> postponed;
+    /* The keys that were pressed in this frame. */
+    std::vector<int> pressed;
     bool laid_out;
-    bool panel;         /* is shown, ... */
-    ImVec4 panel_place; /* ... from x, y to z, w in the window's coordinates */
+    /* Whether the panel is shown. */
+    bool panel;
+    /* The panel's place, from (x, y) to (z, w), in the window's coordinates. */
+    ImVec4 panel_place;
 };
 
-/* Of what may be touched: pale, paler under the pointer, and amber where it is set. */
+/* Controls are pale, paler under the pointer, and amber where they are set. */
 static void choose_colors() {
     static const ImGuiCol touched[][3] = {{ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive},
                                           {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive},
@@ -46,7 +49,7 @@ static void choose_sizes(float magnification) {
     style.ScaleAllSizes(magnification);
 }
 
-/* Drawn at the size that it has on the screen, so that it is crisp on dense ones too. */
+/* The font is drawn at its size on the screen, so that it is sharp on dense screens too. */
 static void choose_font(float magnification, float scale) {
     ImFontConfig config;
     config.SizePixels = std::floor(13 * magnification * scale);
@@ -105,7 +108,7 @@ static void tell(const Overlay *overlay, const WindowEvent &event) {
     }
 }
 
-/* Whether a key was pressed in this frame and is let go of now. */
+/* Whether a key that was pressed in this frame is released now. */
 static bool too_quick(Overlay *overlay, const WindowEvent &event) {
     if (event.kind != WINDOW_KEY) return false;
     if (event.action != 0) overlay->pressed.push_back(event.key);
@@ -120,14 +123,14 @@ static bool list_is_open() {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
-/* Escape closes an open list or colour picker, which goes with the focus, and not the window. */
+/* Escape closes an open list or colour picker, which loses the focus. It does not close the window then. */
 static bool closes_list(const WindowEvent &event) {
     if (event.key != GLFW_KEY_ESCAPE || !list_is_open()) return false;
     ImGui::SetWindowFocus(nullptr);
     return true;
 }
 
-/* ImGui tells what is under the pointer of the last frame, which a quick hand has left by now. */
+/* ImGui's answer is about the pointer of the last frame, and a quick hand has moved it since. */
 static bool takes_mouse(const Overlay *overlay, const WindowEvent &event) {
     if (!overlay->panel) return false;
     const ImVec4 &place = overlay->panel_place;
@@ -153,7 +156,7 @@ bool overlay_event(Overlay *overlay, const WindowEvent *event, bool panel) {
     return event->kind == WINDOW_SCROLL && takes_mouse(overlay, *event);
 }
 
-/* From the bottom up, so that nothing stands on anything else. */
+/* Places the parts from the bottom up, so that none overlaps another. */
 static void lay_out(Overlay *overlay, ViewState *state, const ViewFigures *figures) {
     float floor = ImGui::GetIO().DisplaySize.y - em(overlay_margin);
     bool two = state->split && figures->scene;

@@ -8,13 +8,13 @@ static const ImGuiWindowFlags note_flags = ImGuiWindowFlags_NoDecoration | ImGui
 
 static ImVec2 note_size(const char *text, float most_width) {
     ImVec2 padding = ImGui::GetStyle().WindowPadding;
-    /* A pixel more, as a note that just fits is no wider than its text to the last bit only. */
+    /* One pixel more: a note that just fits may be narrower than its text by rounding. */
     ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, most_width - 2 * padding.x + 1);
     return ImVec2(std::ceil(size.x) + 2 * padding.x, std::ceil(size.y) + 2 * padding.y);
 }
 
-/* Text that stands on `floor` with its left edge at x, no wider than the window; gives the next one's floor.
- * The mouse does not see it. */
+/* Draws text that stands on `floor` with its left edge at x, no wider than the window, and returns the floor
+ * of the next note. The note does not take the mouse. */
 static float note(const char *name, float x, float floor, const ImVec4 &color, const char *text) {
     ImVec2 size = note_size(text, ImGui::GetIO().DisplaySize.x - x - em(overlay_margin));
     ImGui::SetNextWindowPos(ImVec2(x, floor), ImGuiCond_Always, ImVec2(0, 1));
@@ -28,7 +28,7 @@ static float note(const char *name, float x, float floor, const ImVec4 &color, c
     return floor - size.y - em(overlay_margin);
 }
 
-/* Always as wide: ImGui would be a frame late with its width. */
+/* The note has a fixed width, because ImGui would adapt it one frame late. */
 void overlay_pixel(const ViewFigures *figures, const ImVec4 &panel) {
     char text[320];
     ImVec2 pointer = ImGui::GetIO().MousePos;
@@ -42,7 +42,8 @@ void overlay_pixel(const ViewFigures *figures, const ImVec4 &panel) {
     ImGui::EndTooltip();
 }
 
-/* Each on its side of the divider, as far as there is room; in a window without any the panel has to do. */
+/* Each note is on its side of the divider if there is room. In a window without room only the panel shows the
+ * figures. */
 float overlay_sides(const ViewState *state, const ViewFigures *figures, float floor) {
     char texts[MOST_SIDES][400];
     for (int i = 0; i < MOST_SIDES; i++) {

@@ -10,13 +10,14 @@ extern "C" {
 #include <cstring>
 #include <vector>
 
-static const float panel_width = 19; /* in heights of the font, as all lengths here */
+/* In heights of the font, as all lengths here. */
+static const float panel_width = 19;
 
 static void tooltip(const char *text) {
     if (*text && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
 }
 
-/* A slider on a double. */
+/* A slider for a double. */
 static bool slider(const char *label, double *value, double min, double max, const char *format) {
     float number = (float)*value;
     if (!ImGui::SliderFloat(label, &number, (float)min, (float)max, format)) return false;
@@ -61,7 +62,8 @@ static void parameter(const Parameter *p, double *value) {
     char format[32];
     snprintf(format, sizeof format, "%%.3g %s", p->unit);
     for (char *c = format + 5; *c; c++) {
-        if (*c == '%') *c = ' '; /* a unit is no format */
+        /* A percent sign of the unit would be taken as a format. */
+        if (*c == '%') *c = ' ';
     }
     switch (p->type) {
     case PARAMETER_SLIDER:
@@ -78,7 +80,7 @@ static void parameter(const Parameter *p, double *value) {
     tooltip(p->label);
 }
 
-/* The methods of a family by name, with those variants that differ in speed. */
+/* The names of a family's methods, and those of their variants that differ in speed. */
 static std::vector<const char *> method_choices(MethodFamily family) {
     std::vector<const char *> choices{"auto"};
     for (int i = 0; method_get(i); i++) {
@@ -92,7 +94,7 @@ static std::vector<const char *> method_choices(MethodFamily family) {
     return choices;
 }
 
-/* `name` is empty for auto. */
+/* An empty `name` is auto. */
 static void method_combo(const char *label, MethodFamily family, char *name, size_t size) {
     if (!ImGui::BeginCombo(label, *name ? name : "auto")) return;
     for (const char *choice : method_choices(family)) {
@@ -125,7 +127,7 @@ static void curve_plot(const ErrorCurve *curve) {
                                 corner.y + pad + (size.y - 2 * pad) * (float)place[1]));
     }
     list->AddPolyline(points.data(), (int)points.size(), ImGui::GetColorU32(amber), 0, em(0.12f));
-    /* It falls: there is room above its end and below its start. */
+    /* The curve falls, so there is room above its end and below its start. */
     char from[48], to[48];
     snprintf(from, sizeof from, "from %.3g %%", curve->percent[0]);
     snprintf(to, sizeof to, "to %.3g %% in %.1f s", curve->percent[curve->count - 1],
@@ -220,7 +222,7 @@ static void panel_content(ViewState *state, const ViewFigures *figures) {
     ImGui::PopItemWidth();
 }
 
-/* Rolled up at first where it would hide the picture. */
+/* The panel starts rolled up if it would hide the picture. */
 ImVec4 overlay_panel(ViewState *state, const ViewFigures *figures, float floor) {
     ImVec2 display = ImGui::GetIO().DisplaySize;
     float widest = display.x - em(2 * overlay_margin),

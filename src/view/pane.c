@@ -16,14 +16,15 @@ static bool same_methods(const MethodNames *a, const MethodNames *b) {
 }
 
 static bool same_picture(const Pane *pane, const PaneParams *params) {
-    /* The exposure is none of the renderer's business. */
+    /* The renderer does not use the exposure. */
     Scene scene = *params->scene;
     scene.values.exposure_ev = pane->scene.values.exposure_ev;
     return scene_same(&scene, &pane->scene) && same_methods(&pane->methods, params->methods) &&
            pane->width == params->width && pane->height == params->height;
 }
 
-/* The same for every sun: a choice that followed the sun would compile anew as it is dragged. */
+/* The choice is the same for every sun. One that followed the sun would compile programs while the sun is
+ * dragged. */
 static const char *sky_of(const PaneParams *params) {
     const Atmosphere *a = &params->scene->values.atmosphere;
     if (*params->methods->sky || params->scene->file->sky[0]) return method_name(params->methods->sky);
@@ -44,14 +45,14 @@ static RenderParams render_params(const PaneParams *params, int coarseness) {
                           .variance = true};
 }
 
-/* Paths that a preview may have. With a sample or two a pixel they take about twice the time that they do at
- * rest. */
+/* The number of paths that a preview may have. With a sample or two a pixel, a path takes about twice its
+ * time at rest. */
 static double affordable_paths(const Pane *pane, const PaneParams *params) {
     double rate = pane->preview_rate > 0 ? pane->preview_rate : pane->paths_per_second / 2;
     return rate > 0 ? rate * params->budget_s : (double)params->width * params->height / 16;
 }
 
-/* The finest preview that the budget allows, with a margin against changing back and forth. */
+/* The finest preview that the budget allows, with a margin that keeps it from changing back and forth. */
 static int choose_coarseness(const Pane *pane, const PaneParams *params) {
     double pixels = (double)params->width * params->height, paths = affordable_paths(pane, params);
     int finest = 1;
@@ -66,7 +67,7 @@ static unsigned choose_samples(const Pane *pane, const PaneParams *params, int c
     return (unsigned)fmin(fmax(floor(affordable_paths(pane, params) / pixels), 1), MOST_PREVIEW_SAMPLES);
 }
 
-/* Preview and picture at rest keep a film each, and change places. */
+/* The preview and the picture at rest have a film each, and the films change places. */
 static void exchange_films(Pane *pane) {
     Film film = pane->renderer.film;
     pane->renderer.film = pane->kept;
@@ -142,8 +143,7 @@ bool pane_rests(const Pane *pane, const PaneParams *params) {
     return !pane->preview_samples && pane->renderer.film.samples >= params->samples;
 }
 
-/* The estimate needs the picture at each doubling of its samples, as it is now; in between it is told how
- * many there are. */
+/* The estimate needs the picture at each doubling of its samples. In between it needs only their number. */
 static bool estimate(Pane *pane, Error *error) {
     const Film *film = &pane->renderer.film;
     Noise *noise = &pane->noise;
@@ -166,7 +166,7 @@ static bool estimate(Pane *pane, Error *error) {
     return true;
 }
 
-/* A program's first draw compiles it and says nothing about its speed. */
+/* A program's first draw includes compiling it, so it is left out of the measured speed. */
 static void measure(Pane *pane, double rate) {
     bool first = pane->measured != pane->renderer.program.id;
     double *known = pane->preview_samples ? &pane->preview_rate : &pane->paths_per_second;
@@ -179,7 +179,7 @@ bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
     const Film *film = &renderer->film;
     if (pane_rests(pane, params)) return true;
     uint64_t samples = pane->preview_samples ? pane->preview_samples : params->samples - film->samples;
-    /* A preview is shown whole. */
+    /* A preview is shown when all of it is drawn. */
     double budget = pane->preview_samples ? INFINITY : params->budget_s, begin = clock_seconds();
     int first_row = renderer->row;
     uint64_t before = film->samples;

@@ -9,9 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double moving_s = 0.15;        /* that long after a change it still moves */
-static const double moving_budget_s = 0.02; /* of drawing, in a frame while things move */
-static const double rest_budget_s = 0.03;   /* at rest */
+/* How long the picture counts as moving after a change; the drawing time of a frame while it moves, at rest. */
+static const double moving_s = 0.15;
+static const double moving_budget_s = 0.02;
+static const double rest_budget_s = 0.03;
 static const uint64_t many_samples = 1 << 20;
 
 static bool is_toy(const Picture *picture) {
@@ -97,7 +98,7 @@ static bool draw_toy(Picture *picture, const ViewState *state, bool *drew, Error
     return toy_draw(&picture->toy, rest_budget_s, state->clock_seconds, mouse, window_calls, error);
 }
 
-/* Two sides at rest have the same time, so that a side which was opened or changed later catches up. */
+/* Two sides at rest get the same time, so that a side which was opened or changed later catches up. */
 static bool is_ahead(const Picture *picture, const ViewState *state, int side) {
     const Pane *pane = &picture->panes[side], *other = &picture->panes[1 - side];
     PaneParams params = pane_params(picture, state, 1 - side, NULL);
@@ -128,7 +129,7 @@ bool picture_rests(const Picture *picture, const ViewState *state) {
     return true;
 }
 
-/* Of all sides, or of none. */
+/* Reloads all sides, or none if one of them fails. */
 static bool reload_sides(Picture *picture, const ViewState *state, Error *error) {
     Renderer next[MOST_SIDES] = {{0}};
     Scene scenes[MOST_SIDES];
@@ -213,7 +214,7 @@ static DisplaySide display_side(const Pane *pane) {
     return (DisplaySide){&pane->kept, film, pane->renderer.row};
 }
 
-/* Radiance at the ends of the false colours, 0 where they are not shown. */
+/* The radiance at the ends of the false colours; 0 if they are not shown. */
 static double difference_shown(const Picture *picture, const ViewState *state) {
     double mean = picture->panes[0].mean;
     return state->difference ? state->difference_percent / 100 * (mean > 0 ? mean : 1) : 0;
@@ -251,7 +252,7 @@ static void fill_side(SideFigures *figures, const Pane *pane) {
     figures->curve = pane->curve;
 }
 
-/* Not known either while the scene's file is broken. */
+/* The pixel is not known either while the scene's file is broken. */
 static bool fill_pixel(Picture *picture, const ViewState *state, PixelFigures *pixel, Error *error) {
     int side = state->split && state->pointer[0] > state->divider * picture->width ? 1 : 0;
     const Pane *pane = &picture->panes[side];

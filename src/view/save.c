@@ -45,7 +45,7 @@ static void subtract(Image *image, const Image *right) {
     }
 }
 
-/* Puts the second side right of the divider, or their difference everywhere, and both as layers. */
+/* Puts the second side right of the divider, or the difference everywhere, and adds both sides as layers. */
 static bool join(const SaveParams *params, Image *image, Error *error) {
     Image second;
     FilmCount count;
@@ -95,13 +95,13 @@ static bool write_file(const Image *image, const ImageWriteParams *params, const
     return image_write(image, path, params, error);
 }
 
-/* IEC 61966-2-1. */
+/* As in IEC 61966-2-1. */
 static float linear_from_srgb(float v) {
     v = fminf(fmaxf(v, 0.0f), 1.0f);
     return v <= 0.04045f ? v / 12.92f : powf((v + 0.055f) / 1.055f, 2.4f);
 }
 
-/* The colours of glsl/pass/shown_difference.glsl, in linear light. */
+/* These are the colours of glsl/pass/shown_difference.glsl in linear light. */
 static void paint_difference(Image *image, double end) {
     static const float middle = 0.865f, blue[3] = {0.230f, 0.299f, 0.754f}, red[3] = {0.706f, 0.016f, 0.150f};
     size_t pixels = (size_t)image->width * (size_t)image->height;

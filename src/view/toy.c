@@ -28,7 +28,8 @@ bool toy_compile(Toy *toy, const Context *context, const char *library, const ch
     program_destroy(&toy->program);
     toy->program = program;
     toy->row = 0;
-    toy->pixels_per_second = 1e5; /* a guess on the low side */
+    /* A low guess for the first draw. */
+    toy->pixels_per_second = 1e5;
     return true;
 }
 
@@ -62,7 +63,7 @@ static void tell_date(const Program *program) {
     program_set_vec4(program, "iDate", date);
 }
 
-/* The first channel is the frame before, the others are black. */
+/* The first channel is the frame before. The others are black. */
 static void tell_channels(const Toy *toy) {
     static const char *const names[CHANNELS] = {"iChannel0", "iChannel1", "iChannel2", "iChannel3"};
     static const char *const sizes[CHANNELS] = {"iChannelResolution[0]", "iChannelResolution[1]",

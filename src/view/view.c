@@ -11,7 +11,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double rest_interval_s = 0.06; /* between pictures shown at rest, when nobody does anything */
+/* The time between two pictures that are shown while the user does nothing. */
+static const double rest_interval_s = 0.06;
 
 typedef struct View {
     const ViewParams *params;
@@ -23,20 +24,24 @@ typedef struct View {
     Watch watch;
     Controls controls;
     ViewFigures figures;
-    double heard;        /* when the first event came that no picture has answered yet; 0 for none */
-    double shown, flown; /* when this was done last */
-    bool news;           /* there is more to show than was */
-    int linger;          /* pictures to show whatever happens: the overlay needs some to settle */
+    /* When the first event came that no picture has answered yet; 0 if there is none. */
+    double heard;
+    /* When a picture was last shown, and when the camera last flew. */
+    double shown, flown;
+    /* Whether there is something new to show. */
+    bool news;
+    /* The number of pictures to show in any case: the overlay needs some to settle. */
+    int linger;
     int frames, recorded;
 } View;
 
-/* Says what is wrong, in the window and on standard error. */
+/* Reports a failure in the window and on standard error. */
 static void say_failure(View *view, const Error *error) {
     view_failure(&view->state, error->text);
     fprintf(stderr, "magichour: %s\n", error->text);
 }
 
-/* The same, once: the sun of a day that plays may be refused in every turn. */
+/* Does the same once: the sun of a day that plays may be refused in every turn. */
 static void say_refusal(View *view, const Error *refusal) {
     const Notice *notice = &view->state.notice;
     bool said = notice->failed && strncmp(notice->text, refusal->text, sizeof notice->text - 1) == 0;
@@ -92,7 +97,8 @@ static void copy_annotations(View *view) {
     log_end();
 }
 
-/* The picture at rest, as soon as there is one. What cannot be written is said, and nothing else. */
+/* Saves the picture as soon as it is at rest. A file that cannot be written is reported, and the window stays
+ * open. */
 static void save_if_wished(View *view) {
     ViewState *state = &view->state;
     char name[300];
@@ -119,7 +125,7 @@ static void advance_day(ViewState *state, double hours) {
     scene_set_sun(&state->scene, elevation, azimuth);
 }
 
-/* Recording: the sun goes on when a frame is done, and the window closes when the day is. */
+/* While a day is recorded, the sun moves on when a frame is done, and the window closes at the day's end. */
 static bool record(View *view, Error *error) {
     static const double frames_per_second = 25;
     ViewState *state = &view->state;
@@ -178,7 +184,7 @@ static bool present(View *view, Error *error) {
     return true;
 }
 
-/* One turn of the loop. */
+/* One turn of the window's loop. */
 static bool turn(View *view, Error *error) {
     ViewState *state = &view->state;
     bool busy = !view->frames || view->linger || state->playing || !picture_rests(&view->picture, state);
@@ -202,7 +208,8 @@ static bool turn(View *view, Error *error) {
     bool drew = false;
     if (!picture_draw(&view->picture, state, &drew, error)) return false;
     view->news |= drew;
-    if (drew && picture_rests(&view->picture, state)) view->linger = 2; /* the last figures too */
+    /* The last figures are to be shown too. */
+    if (drew && picture_rests(&view->picture, state)) view->linger = 2;
     save_if_wished(view);
     if (view->params->record && state->playing && !record(view, error)) return false;
     if (!due || !(view->news || view->linger)) return true;
@@ -252,7 +259,7 @@ static void log_start(const View *view, double started) {
 }
 
 static void destroy(View *view) {
-    /* What OpenGL holds goes with its context, which may be lost. */
+    /* OpenGL's objects are destroyed with their context, which may be lost. */
     if (view->window.handle) {
         picture_destroy(&view->picture);
         display_destroy(&view->display);

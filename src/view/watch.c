@@ -8,7 +8,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* What tells one state of a file from another. All 0 where there is none. */
+/* A file whose stamp is equal has not changed. All numbers are 0 if there is no file. */
 typedef struct Stamp {
     long long seconds, nanoseconds, size, node;
 } Stamp;
@@ -26,7 +26,7 @@ static Stamp stamp_of(const char *path) {
     return (Stamp){status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size, (long long)status.st_ino};
 }
 
-/* Whether it was another before. */
+/* Reads the stamp anew and returns whether it has changed. */
 static bool refresh(Stamp *stamp, const char *path) {
     Stamp before = *stamp;
     *stamp = stamp_of(path);

@@ -22,8 +22,8 @@ typedef struct Watch {
 void watch_add(Watch *watch, const char *library, const GlslSource *source);
 void watch_add_file(Watch *watch, const char *path);
 
-/* Turns on or off whether changes of the files' folders count too. If a scene names a missing file, the new
- * file mends it, and could not be watched before. */
+/* Turns on or off whether changes in the files' folders count too. They are needed if a scene includes a
+ * missing file: creating the file repairs the scene, and a missing file cannot be watched. */
 void watch_folders(Watch *watch, bool on);
 void watch_free(Watch *watch);
 

@@ -8,7 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-static Window *opened; /* for window_calls() */
+/* For window_calls(). */
+static Window *opened;
 
 static Window *window_of(GLFWwindow *handle) {
     return glfwGetWindowUserPointer(handle);
@@ -88,7 +89,7 @@ static bool may_have_display(void) {
     return getenv("DISPLAY") || getenv("WAYLAND_DISPLAY") || getenv("XDG_RUNTIME_DIR");
 }
 
-/* As wanted, or as large as the screen allows. */
+/* Creates a window of this size, or as large as the screen allows. */
 static GLFWwindow *create(const char *title, int width, int height) {
     int x, y, most_width = 0, most_height = 0;
     GLFWmonitor *monitor = glfwGetPrimaryMonitor();
@@ -126,7 +127,8 @@ bool window_open(Window *window, const char *title, int width, int height, Error
     glfwSetWindowRefreshCallback(window->handle, on_refresh);
     glfwMakeContextCurrent(window->handle);
     if (!context_adopt(&window->context, glfwGetProcAddress, error)) goto fail;
-    glfwSwapInterval(0); /* frames are paced by their work, and a wait would come out of it */
+    /* Drawing sets the pace of frames. Waiting for the screen would take time from it. */
+    glfwSwapInterval(0);
     measure(window);
     window->polled = clock_seconds();
     opened = window;
@@ -152,7 +154,7 @@ void window_poll(Window *window, double seconds) {
         glfwWaitEventsTimeout(seconds);
     else
         glfwPollEvents();
-    /* GLFW has called for the events that came meanwhile. A wait ends with the event. */
+    /* GLFW has delivered the events that came in the meantime. A wait ends with the first event. */
     /* cppcheck-suppress incorrectLogicOperator */
     if (!count && window->event_count) window->heard = seconds > 0 ? clock_seconds() : window->polled;
     window->polled = before;

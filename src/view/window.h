@@ -35,7 +35,7 @@ typedef struct Window {
     int width, height;
     /* Pixels per unit of the window's coordinates. */
     double scale;
-    /* The pointer's place at the last event. GLFW would tell a later place. */
+    /* The pointer's place at the last event. GLFW's own value may be of a later time. */
     double pointer[2];
     /* Whether the user wants to close the window. */
     bool closed;
