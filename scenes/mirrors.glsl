@@ -3,9 +3,6 @@
 //@ camera  eye 0.7 1.3 -1.35  target -0.15 0.8 1.6  fov 60
 //@ sun     elevation 40  azimuth 100
 //@ size    512 512
-//@ bound   0 0.9 -1.6  1.4
-//@ bound   0 0.9 1.6  1.4
-//@ bound   0 0.6 0  0.6
 //@ mirror-plane  0 0
 //@ mirror-plane  -tilt 0
 //@ preset  noon      sun.elevation 60
@@ -43,6 +40,14 @@ void hit_framed(Ray ray, vec3 centre, INOUT(Hit) hit) {
 
 vec3 turned(vec3 v, float angle) {
     return vec3(cos(angle) * v.x + sin(angle) * v.z, v.y, cos(angle) * v.z - sin(angle) * v.x);
+}
+
+// What may block the sky: a ball around each mirror, and one around the figure.
+const int SCENE_BOUNDS = 3;
+vec4 scene_bound(int i) {
+    if (i == 0) return vec4(0.0, 0.9, -0.5 * distance_m, 1.4);
+    if (i == 1) return vec4(0.0, 0.9, 0.5 * distance_m, 1.4);
+    return vec4(0.0, 0.6, 0.0, 0.6);
 }
 
 void scene_intersect(Ray ray, INOUT(Hit) hit) {

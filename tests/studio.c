@@ -27,10 +27,10 @@ void studio_open(Studio *studio, const char *scene, const char *arguments) {
     support_open(&studio->context);
     parse(studio, scene, arguments);
     const Options *options = &studio->options;
-    if (!setup_scene(options, &studio->scene, &error)) fail_msg("%s", error.text);
+    const char *library = options->glsl_dir ? options->glsl_dir : "glsl";
+    if (!setup_scene(options, library, &studio->scene, &error)) fail_msg("%s", error.text);
     studio->options.samples = support_samples(options->samples);
     studio->params = (RenderParams){.scene = &studio->scene,
-                                    .library = options->glsl_dir ? options->glsl_dir : "glsl",
                                     .sky = options->sky,
                                     .light = options->light,
                                     .sequence = options->sequence,

@@ -90,6 +90,20 @@ int support_run_tests(const char *name, const struct CMUnitTest *tests, size_t c
 
 /* ---- GLSL, files and the program */
 
+SourceStore *support_sources(void) {
+    static SourceStore *sources;
+    if (!sources) sources = source_store_create("glsl");
+    return sources;
+}
+
+bool support_flatten(GlslSource *source, const char *library, const char *entry, const GlslSlot *slots,
+                     Error *error) {
+    SourceStore *store = source_store_create(library);
+    bool ok = glsl_source_create(source, store, entry, slots, error);
+    source_store_release(store);
+    return ok;
+}
+
 static void compile(const Context *context, const char *glsl, Program *program) {
     Text text = {0};
     GlslSource source;
@@ -100,7 +114,7 @@ static void compile(const Context *context, const char *glsl, Program *program) 
                glsl);
     const char *path = support_write("evaluate.glsl", text_string(&text));
     text_free(&text);
-    if (!glsl_source_create(&source, "glsl", path, NULL, &error) ||
+    if (!support_flatten(&source, "glsl", path, NULL, &error) ||
         !program_create(program, &context->gl, &source, &error)) {
         fail_msg("%s", error.text);
     }

@@ -12,6 +12,7 @@
 
 #include "gl/context.h"
 #include "image/format.h"
+#include "scene/glsl_source.h"
 
 /* Ends a test that needs OpenGL where there is none: skips it with the reason, or fails it if the environment
  * says REQUIRE_GL=1. */
@@ -54,6 +55,13 @@ const char *support_path(const char *name);
 
 /* Writes a text file into the folder and gives its path. */
 const char *support_write(const char *name, const char *text);
+
+/* The texts of the GLSL library, which no test changes in place. */
+SourceStore *support_sources(void);
+
+/* glsl_source_create() with texts that are read anew, and the GLSL library in this folder. */
+bool support_flatten(GlslSource *source, const char *library, const char *entry, const GlslSlot *slots,
+                     Error *error);
 
 /* Runs `magichour ARGUMENTS` through the shell; `environment` in front ("LP_NUM_THREADS=1") may be "". Gives
  * the exit status; what it printed is in support_out and support_err until the next run. */

@@ -102,13 +102,9 @@ typedef struct Bench {
 static void bench_open(Bench *bench, const char *sequence, int size, unsigned seed) {
     Error error;
     support_open(&bench->context);
-    RenderParams params = {.scene = &bench->scene,
-                           .library = "glsl",
-                           .sequence = sequence,
-                           .width = size,
-                           .height = size,
-                           .seed = seed};
-    if (!scene_read(&bench->scene, "scenes/crater.glsl", &error) ||
+    RenderParams params = {
+        .scene = &bench->scene, .sequence = sequence, .width = size, .height = size, .seed = seed};
+    if (!scene_read(&bench->scene, "scenes/crater.glsl", "glsl", &error) ||
         !renderer_create(&bench->renderer, &bench->context, &params, &error)) {
         fail_msg("%s", error.text);
     }

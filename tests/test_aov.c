@@ -363,13 +363,10 @@ static void bench_open(Bench *bench, const char *sequence, int size) {
     Error error;
     unsigned kinds = 0;
     support_open(&bench->context);
-    assert_true(scene_read(&bench->scene, "scenes/crater.glsl", &error) && aov_parse(all, &kinds, &error));
-    RenderParams params = {.scene = &bench->scene,
-                           .library = "glsl",
-                           .sequence = sequence,
-                           .width = size,
-                           .height = size,
-                           .variance = true};
+    assert_true(scene_read(&bench->scene, "scenes/crater.glsl", "glsl", &error) &&
+                aov_parse(all, &kinds, &error));
+    RenderParams params = {
+        .scene = &bench->scene, .sequence = sequence, .width = size, .height = size, .variance = true};
     if (!renderer_create(&bench->renderer, &bench->context, &params, &error) ||
         !aov_create(&bench->aov, kinds, &bench->context, &params, &bench->renderer, &error)) {
         fail_msg("%s", error.text);

@@ -31,9 +31,8 @@ static void render_suns(const Context *context, const char *scene_path, const ch
     Renderer renderer;
     FilmCount count;
     Error error;
-    if (!scene_read(&scene, scene_path, &error)) fail_msg("%s", error.text);
-    RenderParams params = {
-        .scene = &scene, .library = "glsl", .sky = sky, .light = "cosine", .width = SIZE, .height = SIZE};
+    if (!scene_read(&scene, scene_path, "glsl", &error)) fail_msg("%s", error.text);
+    RenderParams params = {.scene = &scene, .sky = sky, .light = "cosine", .width = SIZE, .height = SIZE};
     if (!renderer_create(&renderer, context, &params, &error)) fail_msg("%s", error.text);
     for (int s = 0; s < SUNS; s++) {
         scene_set_sun(&scene, suns[s], scene.values.sun.azimuth_deg);
@@ -102,7 +101,7 @@ static void ask_sky(const Context *context, const char *method, const SkyState *
         directions[4 * i + 2] = (float)(sqrt(1 - y * y) * cos(azimuth));
     }
     if (!method_choose(&choice, METHOD_SKY, method, &error) ||
-        !sky_probe_create(&probe, context, "glsl", &choice, &state->atmosphere, &error) ||
+        !sky_probe_create(&probe, context, support_sources(), &choice, &state->atmosphere, &error) ||
         !sky_probe_ask(&probe, state, directions, DIRECTIONS, radiances, &error)) {
         fail_msg("%s", error.text);
     }
@@ -225,7 +224,7 @@ static void test_sizes(void **state) {
         SkyProbe probe;
         Error error;
         int sizes[7];
-        assert_true(sky_probe_create(&probe, &context, "glsl", &choice, atmosphere, &error));
+        assert_true(sky_probe_create(&probe, &context, support_sources(), &choice, atmosphere, &error));
         for (int i = 0; i < 7; i++) {
             SkyState sky = {*atmosphere, sun_at(moving[i], 0, 0.2666)};
             assert_true(sky_probe_ask(&probe, &sky, directions, 1, radiance, &error));

@@ -148,8 +148,8 @@ static void test_reference(void **state) {
     Error error;
     Reference reference;
     support_open(&context);
-    assert_true(scene_read(&scene, "scenes/crater.glsl", &error));
-    RenderParams params = {.scene = &scene, .library = "glsl", .width = 24, .height = 24};
+    assert_true(scene_read(&scene, "scenes/crater.glsl", "glsl", &error));
+    RenderParams params = {.scene = &scene, .width = 24, .height = 24};
     const Monitor monitor = {0};
     const char *path = support_path("reference.exr");
     if (!reference_get(&reference, path, "one", &context, &params, 1, &monitor, &error))

@@ -80,8 +80,8 @@ static void test_change(void **state) {
                        "    hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit);\n}\n"
                        "Material scene_material(Hit hit) { return matte(vec3(pale ? 0.5 : 0.4)); }\n");
     support_open(&context);
-    assert_true(scene_read(&scene, path, &error));
-    RenderParams params = {.scene = &scene, .library = "glsl", .width = 16, .height = 16};
+    assert_true(scene_read(&scene, path, "glsl", &error));
+    RenderParams params = {.scene = &scene, .width = 16, .height = 16};
     Term *terms = term_list(&params, &count);
     if (!worth_begin(&base, &context, &params, 16, NULL, &error)) fail_msg("%s", error.text);
     assert_true(worth_of(&base, find_term(terms, count, "pale (the scene's)"), NULL, &worth, &error));

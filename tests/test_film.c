@@ -17,7 +17,7 @@ static void create_pass(const Context *context, const char *body, Program *progr
              "uniform uint pass;\nvoid main() { %s }\n",
              body);
     const char *path = support_write("pass.glsl", glsl);
-    if (!glsl_source_create(&source, "glsl", path, NULL, &error) ||
+    if (!support_flatten(&source, "glsl", path, NULL, &error) ||
         !program_create(program, &context->gl, &source, &error)) {
         fail_msg("%s", error.text);
     }
@@ -188,7 +188,7 @@ static void test_finite(void **state) {
 static void create_points(const Context *context, Program *program) {
     GlslSource source;
     Error error;
-    if (!glsl_source_create(&source, "glsl", "glsl/pass/splat.glsl", NULL, &error) ||
+    if (!support_flatten(&source, "glsl", "glsl/pass/splat.glsl", NULL, &error) ||
         !program_create_points(program, &context->gl, &source, &error)) {
         fail_msg("%s", error.text);
     }

@@ -160,11 +160,15 @@ static void test_spheres(void **state) {
         float *spheres = NULL;
         int count = 0;
         Error error;
-        bool ok = sphere_file_read(path, 1000, &spheres, &count, &error);
+        SourceStore *store = source_store_create("glsl");
+        const SourceFile *balls;
+        bool ok = source_store_read(store, path, &balls, &error) &&
+                  sphere_file_parse(balls, 1000, &spheres, &count, &error);
         for (int k = 0; ok && k < 4 * count; k++)
             assert_true(isfinite(spheres[k]) && fabsf(spheres[k]) <= 1e7f && (k % 4 < 3 || spheres[k] > 0));
         if (!ok) expect_place(path, &error);
         refused += !ok;
+        source_store_release(store);
         if (ok) free(spheres);
         text_free(&broken);
     }
@@ -233,7 +237,7 @@ static void test_annotations(void **state) {
             const char *path = write_file("broken.glsl", &broken);
             Scene scene;
             Error error;
-            bool ok = scene_read(&scene, path, &error);
+            bool ok = scene_read(&scene, path, "glsl", &error);
             if (ok) {
                 expect_scene(&scene);
                 scene_destroy(&scene);

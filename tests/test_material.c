@@ -412,7 +412,7 @@ static void flatten_crater(GlslSource *source, const char *library) {
     const char *entry = support_write(
         "entry.glsl",
         "#include \"scene.glsl\"\n#include <scene>\n#include \"light/surface.glsl\"\n#include <materials>\n");
-    if (!glsl_source_create(source, library, entry, slots, &error)) fail_msg("%s", error.text);
+    if (!support_flatten(source, library, entry, slots, &error)) fail_msg("%s", error.text);
 }
 
 /* What a scene does not include is not there: the text is the same, to the byte, as if there were no such

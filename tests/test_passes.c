@@ -14,7 +14,7 @@
 static GlslSource source_of(const char *name, const char *glsl) {
     GlslSource source;
     Error error;
-    if (!glsl_source_create(&source, "glsl", support_write(name, glsl), NULL, &error))
+    if (!support_flatten(&source, "glsl", support_write(name, glsl), NULL, &error))
         fail_msg("%s", error.text);
     return source;
 }
@@ -29,7 +29,7 @@ static void test_declarations(void **state) {
                                    "uniform sampler2D last;\n"
                                    "float uniformly = 1.0;\nvoid main() { }\n");
     static const char *const names[] = {"a", "b", "list", "sun_direction", "sun_level", "last"};
-    GlslUniforms declared = glsl_uniforms(&source);
+    GlslUniforms declared = glsl_uniforms(text_string(&source.text));
     assert_int_equal(declared.count, 6);
     for (int i = 0; i < 6; i++) assert_string_equal(declared.items[i].name, names[i]);
     assert_string_equal(declared.items[5].type, "sampler2D");
@@ -97,9 +97,8 @@ static void test_fills(void **state) {
     Scene scene;
     Error error;
     support_open(&context);
-    if (!scene_read(&scene, "scenes/crater.glsl", &error)) fail_msg("%s", error.text);
+    if (!scene_read(&scene, "scenes/crater.glsl", "glsl", &error)) fail_msg("%s", error.text);
     RenderParams params = {.scene = &scene,
-                           .library = "glsl",
                            .sky = "table:gauss:4@16x48",
                            .light = "control",
                            .sun_disk = "sampled",

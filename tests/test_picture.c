@@ -310,8 +310,8 @@ static void test_cuts_agree(void **state) {
     Image whole, cut;
     FilmCount count;
     support_open(&context);
-    assert_true(scene_read(&scene, "scenes/crater.glsl", &error));
-    RenderParams params = {.scene = &scene, .library = "glsl", .sky = "paper:8x2", .width = 48, .height = 40};
+    assert_true(scene_read(&scene, "scenes/crater.glsl", "glsl", &error));
+    RenderParams params = {.scene = &scene, .sky = "paper:8x2", .width = 48, .height = 40};
     if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
     assert_int_equal(renderer.plan.group_samples, 16);
     while (renderer.film.samples < 40) {
@@ -354,14 +354,9 @@ static void test_cuts_agree(void **state) {
 
 static RenderParams read_sunward(Scene *scene, const char *path, double azimuth_deg) {
     Error error;
-    if (!scene_read(scene, path, &error)) fail_msg("%s", error.text);
+    if (!scene_read(scene, path, "glsl", &error)) fail_msg("%s", error.text);
     scene_set_sun(scene, 5, azimuth_deg);
-    return (RenderParams){.scene = scene,
-                          .library = "glsl",
-                          .sky = "uniform",
-                          .sun_disk = "sampled",
-                          .width = 48,
-                          .height = 32};
+    return (RenderParams){.scene = scene, .sky = "uniform", .sun_disk = "sampled", .width = 48, .height = 32};
 }
 
 static Image take_picture(Renderer *renderer) {

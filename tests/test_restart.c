@@ -42,7 +42,7 @@ static RenderParams draw(Scene *scene, const Scene *original) {
     /* Not every scene has each of the settings. */
     if (!scene_set(scene, setting[0], setting[1], &error)) scene_set_sun(scene, elevation, 0);
     return (RenderParams){.scene = scene,
-                          .library = "glsl",
+
                           .sky = ONE_OF(skies),
                           .light = ONE_OF(lights),
                           .sequence = ONE_OF(sequences),
@@ -108,9 +108,8 @@ static void restart_often(const Context *context, const char *path, int rounds) 
     Error error;
     char words[512];
     int compared = 0;
-    if (!scene_read(&original, path, &error)) fail_msg("%s", error.text);
-    RenderParams before = {
-        .scene = &original, .library = "glsl", .sun_disk = "off", .width = WIDTH, .height = HEIGHT};
+    if (!scene_read(&original, path, "glsl", &error)) fail_msg("%s", error.text);
+    RenderParams before = {.scene = &original, .sun_disk = "off", .width = WIDTH, .height = HEIGHT};
     if (!renderer_create(&again, context, &before, &error)) fail_msg("%s", error.text);
     for (int i = 0; i < rounds; i++) {
         RenderParams params = draw(&scene, &original);

@@ -3,7 +3,8 @@
 
 #include "base/number.h"
 #include "base/text.h"
-#include "scene/glsl_source.h"
+#include "scene/glsl_log.h"
+#include "scene/glsl_scan.h"
 #include "scene/scene.h"
 
 #include <math.h>
@@ -28,7 +29,7 @@ static void test_annotations(void **state) {
                      "uniform bool lamp; //@ checkbox off\n"
                      "uniform vec3 tint; //@ color 0.1 0.2 0.3 label paint\n"
                      "float f() { return 1.0; } // not one: //@ frob\n");
-    if (!scene_read(&scene, path, &error)) fail_msg("%s", error.text);
+    if (!scene_read(&scene, path, "glsl", &error)) fail_msg("%s", error.text);
     assert_string_equal(scene.file->title, "A scene");
     assert_true(scene.values.camera.eye[2] == 3 && scene.values.camera.target[0] == 4 &&
                 scene.values.camera.fov_deg == 40);
@@ -120,7 +121,7 @@ static void test_annotations_refused(void **state) {
         char text[256], place[64];
         snprintf(text, sizeof text, "// one\n\n%s\n", cases[i].line);
         const char *path = support_write("bad.glsl", text);
-        assert_false(scene_read(&scene, path, &error));
+        assert_false(scene_read(&scene, path, "glsl", &error));
         assert_int_equal(error.status, STATUS_SCENE);
         snprintf(place, sizeof place, "bad.glsl:3: ");
         if (!strstr(error.text, place) || !strstr(error.text, cases[i].part)) {
@@ -131,14 +132,14 @@ static void test_annotations_refused(void **state) {
     Error error;
     const char *twice =
         support_write("bad.glsl", "uniform float a; //@ slider 1\nuniform float a; //@ slider 1\n");
-    assert_false(scene_read(&scene, twice, &error));
+    assert_false(scene_read(&scene, twice, "glsl", &error));
     assert_non_null(strstr(error.text, "bad.glsl:2: uniform 'a' is declared twice"));
     const char *again = support_write("bad.glsl", "//@ spheres 1\n//@ spheres 2\n");
-    assert_false(scene_read(&scene, again, &error));
+    assert_false(scene_read(&scene, again, "glsl", &error));
     assert_non_null(strstr(error.text, "bad.glsl:2: spheres is there already"));
     const char *range =
         support_write("bad.glsl", "//@ spheres a\nuniform float a; //@ slider 1 min -1 max 5\n");
-    assert_false(scene_read(&scene, range, &error));
+    assert_false(scene_read(&scene, range, "glsl", &error));
     assert_non_null(
         strstr(error.text, "bad.glsl:1: spheres: the slider 'a' goes from -1 to 5, past 0 to 1000000"));
 }
@@ -180,7 +181,7 @@ static void test_flatten(void **state) {
         support_write("a.glsl", "#version 330 core\n/* #include \"none.glsl\" */\n"
                                 "#include \"c.glsl\"\n  #  include \"b.glsl\"\n#include <slot>\nlast\n");
     const GlslSlot slots[] = {{"slot", support_path("b.glsl"), NULL}, {NULL, NULL, NULL}};
-    if (!glsl_source_create(&source, "glsl", path, slots, &error)) fail_msg("%s", error.text);
+    if (!support_flatten(&source, "glsl", path, slots, &error)) fail_msg("%s", error.text);
     assert_string_equal(
         text_string(&source.text),
         "#version 330 core\n#line 2 0\n/* #include \"none.glsl\" */\n"
@@ -226,7 +227,7 @@ static void test_flatten_refused(void **state) {
         Error error;
         char text[128];
         snprintf(text, sizeof text, "\n%s\n", cases[i].line);
-        assert_false(glsl_source_create(&source, "glsl", support_write("bad.glsl", text), NULL, &error));
+        assert_false(support_flatten(&source, "glsl", support_write("bad.glsl", text), NULL, &error));
         if (!strstr(error.text, "bad.glsl:2: ") || !strstr(error.text, cases[i].part)) {
             fail_msg("%s: %s", cases[i].line, error.text);
         }
@@ -251,9 +252,10 @@ static void test_defines(void **state) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         GlslSource source;
         Error error;
-        assert_true(
-            glsl_source_create(&source, "glsl", support_write("d.glsl", cases[i].text), NULL, &error));
-        if (glsl_source_defines(&source, "hit") != cases[i].defines) fail_msg("%s", cases[i].text);
+        assert_true(support_flatten(&source, "glsl", support_write("d.glsl", cases[i].text), NULL, &error));
+        GlslScan scan = glsl_scan(text_string(&source.text));
+        if (glsl_scan_defines(&scan, "hit") != cases[i].defines) fail_msg("%s", cases[i].text);
+        glsl_scan_free(&scan);
         glsl_source_destroy(&source);
     }
 }
@@ -267,10 +269,10 @@ static void test_own_file(void **state) {
     Error error;
     support_write("LICENSE", "masked");
     char *library = strdup(support_path("."));
-    assert_true(glsl_source_create(&source, library, entry, slots, &error));
+    assert_true(support_flatten(&source, library, entry, slots, &error));
     assert_null(strstr(text_string(&source.text), "masked"));
     glsl_source_destroy(&source);
-    assert_true(glsl_source_create(&source, library, "LICENSE", NULL, &error));
+    assert_true(support_flatten(&source, library, "LICENSE", NULL, &error));
     assert_null(strstr(text_string(&source.text), "masked"));
     glsl_source_destroy(&source);
     free(library);
@@ -283,7 +285,7 @@ static void test_materials(void **state) {
     Error error;
     const GlslSlot slots[] = {{"scene", "scenes/furnace.glsl", NULL}, {NULL, NULL, NULL}};
     const char *entry = support_write("entry.glsl", "#include <scene>\n#include <materials>\n");
-    assert_true(glsl_source_create(&source, "glsl", entry, slots, &error));
+    assert_true(support_flatten(&source, "glsl", entry, slots, &error));
     const char *text = text_string(&source.text);
     assert_non_null(strstr(text, "const int MATERIAL_MATTE = 0;"));
     assert_non_null(strstr(text, "const int MATERIAL_MIRROR = 1;"));
@@ -310,7 +312,7 @@ static void test_values(void **state) {
     const char *path =
         support_write("sun.glsl", "//@ sun azimuth 70 elevation 12\n//@ preset low sun.elevation 1\n"
                                   "uniform float a; //@ slider 0.5\n");
-    assert_true(scene_read(&scene, path, &error) && scene_read(&again, path, &error));
+    assert_true(scene_read(&scene, path, "glsl", &error) && scene_read(&again, path, "glsl", &error));
     assert_true(scene.values.sun.elevation_deg == 12);
     expect_sun(&scene.values.sun);
     assert_true(scene_set(&scene, "sun.azimuth", "-110", &error));

@@ -58,7 +58,7 @@ static void test_words(void **state) {
     for (int i = 0; i < scenes; i++) {
         Scene scene;
         Error error;
-        if (!scene_read(&scene, paths[i], &error)) fail_msg("%s", error.text);
+        if (!scene_read(&scene, paths[i], "glsl", &error)) fail_msg("%s", error.text);
         if (!scene.file->title[0] || !scene.file->look[0])
             fail_msg("%s: no title or nothing to look for", paths[i]);
         for (int k = 0; k < scene.file->parameter_count; k++) {

@@ -48,7 +48,7 @@ static void open_probe(const Context *context, SkyProbe *probe, const char *meth
     MethodChoice choice;
     Error error;
     if (!method_choose(&choice, METHOD_SKY, method, &error) ||
-        !sky_probe_create(probe, context, "glsl", &choice, atmosphere, &error)) {
+        !sky_probe_create(probe, context, support_sources(), &choice, atmosphere, &error)) {
         fail_msg("%s", error.text);
     }
 }

@@ -129,6 +129,16 @@ static void test_near_first(void **state) {
     }
 }
 
+static bool read_file(const char *path, int most, float **spheres, int *count, Error *error) {
+    SourceStore *store = source_store_create("glsl");
+    const SourceFile *file;
+    *spheres = NULL;
+    bool ok =
+        source_store_read(store, path, &file, error) && sphere_file_parse(file, most, spheres, count, error);
+    source_store_release(store);
+    return ok;
+}
+
 static void test_file(void **state) {
     (void)state;
     float *spheres;
@@ -136,7 +146,7 @@ static void test_file(void **state) {
     Error error;
     const char *good = support_write("good.csv", "\xef\xbb\xbf# of balls\r\n x,y,z,radius\r\n\r\n1, "
                                                  "-2,3e0,0.5\r\n# one more\n4,5,6,7,a colour\n8,9,10,11");
-    if (!sphere_file_read(good, 3, &spheres, &count, &error)) fail_msg("%s", error.text);
+    if (!read_file(good, 3, &spheres, &count, &error)) fail_msg("%s", error.text);
     assert_int_equal(count, 3);
     static const float expected[] = {1, -2, 3, 0.5F, 4, 5, 6, 7, 8, 9, 10, 11};
     assert_memory_equal(spheres, expected, sizeof expected);
@@ -156,12 +166,12 @@ static void test_file(void **state) {
         {"1,1,1,1\n2,2,2,2\n3,3,3,3\n4,4,4,4\n", "bad.csv:4: more than 3 spheres"},
     };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        assert_false(sphere_file_read(support_write("bad.csv", bad[i].text), 3, &spheres, &count, &error));
+        assert_false(read_file(support_write("bad.csv", bad[i].text), 3, &spheres, &count, &error));
         assert_null(spheres);
         assert_int_equal(error.status, STATUS_SCENE);
         if (!strstr(error.text, bad[i].part)) fail_msg("%s: %s", bad[i].text, error.text);
     }
-    assert_false(sphere_file_read(support_path("none.csv"), 3, &spheres, &count, &error));
+    assert_false(read_file(support_path("none.csv"), 3, &spheres, &count, &error));
     assert_non_null(strstr(error.text, "none.csv: cannot be read: "));
 }
 
@@ -245,8 +255,8 @@ static void read_layers(const Context *context, const char *path, float *layers)
     Aov aov;
     Error error;
     unsigned kinds;
-    if (!scene_read(&read, path, &error)) fail_msg("%s", error.text);
-    RenderParams params = {.scene = &read, .library = "glsl", .width = WIDTH, .height = HEIGHT};
+    if (!scene_read(&read, path, "glsl", &error)) fail_msg("%s", error.text);
+    RenderParams params = {.scene = &read, .width = WIDTH, .height = HEIGHT};
     Image image = {.width = WIDTH, .height = HEIGHT};
     if (!aov_parse("albedo,normal,depth", &kinds, &error) ||
         !renderer_create(&renderer, context, &params, &error) ||
@@ -358,9 +368,9 @@ static void test_fill(void **state) {
     Renderer renderer;
     Error error;
     support_open(&context);
-    if (!scene_read(&read, scene("fill.glsl", "//@ spheres many", together, made), &error))
+    if (!scene_read(&read, scene("fill.glsl", "//@ spheres many", together, made), "glsl", &error))
         fail_msg("%s", error.text);
-    RenderParams params = {.scene = &read, .library = "glsl", .width = 8, .height = 8};
+    RenderParams params = {.scene = &read, .width = 8, .height = 8};
     if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
     Resource *table = resources_find(&renderer.tables, &scene_spheres);
     int entries = table->entries;

@@ -204,7 +204,7 @@ static void test_cover(void **state) {
     Atmosphere atmosphere = atmosphere_preset(0)->atmosphere;
     double worst = 0;
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
-        Scene scene = scene_default("test");
+        Scene scene = scene_default("test", "glsl");
         memset(scene.values.camera.eye, 0, sizeof scene.values.camera.eye);
         memcpy(scene.values.camera.target, cases[k].eye_to, sizeof scene.values.camera.target);
         scene.values.camera.fov_deg = cases[k].fov;
@@ -294,7 +294,7 @@ static const char sampler_shader[] =
     "                  drawn == 0 ? sky_cell_solid_angle(sky_cells(), t.y) : dot(d, d));\n}";
 
 static bool make_text(const void *slots, const char *entry, GlslSource *source, Error *error) {
-    return glsl_source_create(source, "glsl", entry, ((const SlotList *)slots)->slots, error);
+    return support_flatten(source, "glsl", entry, ((const SlotList *)slots)->slots, error);
 }
 
 /* Directions drawn from the sky against their density: it sums to 1, and a chi-square over groups of cells.
@@ -321,7 +321,7 @@ static void test_sky_sampler(void **state) {
     Frame frame = {.state = {atmosphere, sun_at(0, 0, 0.2666)}, .sky = &choice, .light = &light};
     ResourceTexts texts = {make_text, &slots};
     assert_true(resources_create(&tables, &context, kinds, &frame, &texts, &error) &&
-                glsl_source_create(&source, "glsl", path, slots.slots, &error));
+                support_flatten(&source, "glsl", path, slots.slots, &error));
     if (!program_create(&program, gl, &source, &error)) fail_msg("%s", error.text);
     glsl_source_destroy(&source);
     gl->GenFramebuffers(1, &framebuffer);

@@ -14,7 +14,7 @@
 
 static void test_orbit(void **state) {
     (void)state;
-    Scene scene = scene_default("none");
+    Scene scene = scene_default("none", "glsl");
     orbit_turn(&scene, 90, 0);
     assert_true(fabs(scene.values.camera.eye[0] - 4) < 1e-9 && fabs(scene.values.camera.eye[1] - 2) < 1e-9 &&
                 fabs(scene.values.camera.eye[2]) < 1e-9);
@@ -58,7 +58,7 @@ static void test_carry(void **state) {
                                                        "uniform float b; //@ slider 3 min 0 max 4\n"
                                                        "uniform float a; //@ slider 5 min 0 max 10\n");
     Scene file, next;
-    assert_true(scene_read(&file, path, &error) && scene_read(&next, edited, &error));
+    assert_true(scene_read(&file, path, "glsl", &error) && scene_read(&next, edited, "glsl", &error));
     Scene current = file;
     assert_true(scene_set(&current, "b", "9", &error) && scene_set(&current, "sun.azimuth", "7", &error));
     assert_true(scene_set(&current, "atmosphere.mie", "0.5", &error));

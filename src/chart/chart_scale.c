@@ -70,7 +70,8 @@ static bool write_field(const Scale *scale, Step *step, What what, int count, Er
     Text text = {0};
     char *path = chart_path(scale->params, "field.glsl");
     (what == SET ? field_of_set : field_of_calls)(count, &text);
-    bool ok = file_replace(path, text.data, text.size, error) && scene_read(&step->scene, path, error);
+    bool ok = file_replace(path, text.data, text.size, error) &&
+              scene_read(&step->scene, path, scale->params->picture.scene->file->sources->folder, error);
     step->own_scene = ok;
     text_free(&text);
     free(path);

@@ -124,8 +124,8 @@ static bool open_method(SkyJob *job, Open *open, const char *method, Error *erro
     MethodChoice choice;
     *open = (Open){.method = method, .best = INFINITY};
     return method_choose(&choice, METHOD_SKY, method, error) &&
-           sky_probe_create(&open->probe, job->params->context, job->params->picture.library, &choice,
-                            &job->state.atmosphere, error);
+           sky_probe_create(&open->probe, job->params->context, job->params->picture.scene->file->sources,
+                            &choice, &job->state.atmosphere, error);
 }
 
 /* Times the methods in alternation, each at least once. A method that has used its share of the time is

@@ -66,7 +66,8 @@ static bool prepare(Job *job, Error *error) {
     const Options *options = job->options;
     if (options->output_count != 1) return error_set(error, STATUS_USAGE, "where to? (-o DIR, one folder)");
     return choose_charts(options->charts, job->wanted, error) &&
-           setup_library(options, &job->library, error) && setup_scene(options, &job->scene, error) &&
+           setup_library(options, &job->library, error) &&
+           setup_scene(options, job->library, &job->scene, error) &&
            (!options->width || scene_check_size(options->width, options->height, error)) &&
            make_folder(options->outputs[0], error) && context_open(&job->context, options->backend, error);
 }
@@ -77,7 +78,6 @@ static bool make_charts(Job *job, Error *error) {
     double percent = options->error_percent > 0 ? options->error_percent : AUTO_ERROR_PERCENT;
     ChartParams params = {.context = &job->context,
                           .picture = {.scene = &job->scene,
-                                      .library = job->library,
                                       .sun_disk = options->sun_disk,
                                       .width = options->width ? options->width : DEFAULT_SIDE,
                                       .height = options->height ? options->height : DEFAULT_SIDE,

@@ -30,12 +30,12 @@ typedef struct Job {
 
 static bool prepare(Job *job, Error *error) {
     const Options *options = job->options;
-    if (!setup_library(options, &job->library, error) || !setup_scene(options, &job->scene, error))
+    if (!setup_library(options, &job->library, error) ||
+        !setup_scene(options, job->library, &job->scene, error))
         return false;
     if (options->width && !scene_check_size(options->width, options->height, error)) return false;
     job->percent = options->error_percent > 0 ? options->error_percent : AUTO_ERROR_PERCENT;
     job->params = (RenderParams){.scene = &job->scene,
-                                 .library = job->library,
                                  .sun_disk = options->sun_disk,
                                  .width = options->width ? options->width : DEFAULT_SIDE,
                                  .height = options->height ? options->height : DEFAULT_SIDE,

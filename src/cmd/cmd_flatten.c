@@ -31,10 +31,9 @@ Status cmd_flatten(const Options *options, Error *error) {
     char *library = NULL;
     Scene scene = {0};
     Plan plan;
-    bool ok = setup_library(options, &library, error) && setup_scene(options, &scene, error);
+    bool ok = setup_library(options, &library, error) && setup_scene(options, library, &scene, error);
     if (ok) {
         RenderParams params = {.scene = &scene,
-                               .library = library,
                                .sky = options->sky,
                                .light = options->light,
                                .sequence = options->sequence,

@@ -6,6 +6,7 @@
 #include "gl/context.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void print_backend(const Backend *backend) {
@@ -65,11 +66,18 @@ static void print_hint(const Scene *scene, HintKind kind, int index) {
     printf("\n");
 }
 
-static void print_hints(const Scene *scene) {
-    for (int kind = 0; kind < HINT_KINDS; kind++) {
-        for (int i = 0; i < scene_hint_count(scene, (HintKind)kind); i++)
-            print_hint(scene, (HintKind)kind, i);
+static void print_kind(const Scene *scene, HintKind kind) {
+    const HintInfo *info = hint_info(kind);
+    int count = scene_hint_count(scene, kind);
+    if (scene->file->hints[kind].in_glsl) {
+        printf("  %s: %d, by the scene's %s()\n", info->key, count, info->function);
+        return;
     }
+    for (int i = 0; i < count; i++) print_hint(scene, kind, i);
+}
+
+static void print_hints(const Scene *scene) {
+    for (int kind = 0; kind < HINT_KINDS; kind++) print_kind(scene, (HintKind)kind);
     if (!scene->file->spheres[0]) return;
     int count = scene_sphere_count(scene);
     double number;
@@ -117,27 +125,35 @@ static bool print_backends(const Options *options, Error *error) {
     return found || error_set(error, STATUS_USAGE, "unknown backend '%s'", options->backend);
 }
 
-Status cmd_info(const Options *options, Error *error) {
-    Scene scene;
-    if (!setup_scene(options, &scene, error)) return error->status;
-    if (options->input_count) {
-        print_scene(&scene);
-        scene_destroy(&scene);
-        return STATUS_DONE;
-    }
-    printf("magichour %s\n", MAGICHOUR_VERSION);
-    if (!print_backends(options, error)) {
-        scene_destroy(&scene);
-        return error->status;
-    }
-    print_methods();
-    printf("atmospheres\n");
-    for (int i = 0; atmosphere_preset(i); i++) {
-        printf("  %-20s %s\n", atmosphere_preset(i)->name, atmosphere_preset(i)->source);
-    }
-    printf("settings of the atmosphere, values of %s\n",
-           options->atmosphere ? options->atmosphere : atmosphere_preset(0)->name);
-    print_atmosphere(&scene.values.atmosphere);
+static bool info_scene(const Options *options, Error *error) {
+    char *library = NULL;
+    Scene scene = {0};
+    bool ok = setup_library(options, &library, error) && setup_scene(options, library, &scene, error);
+    if (ok) print_scene(&scene);
     scene_destroy(&scene);
-    return STATUS_DONE;
+    free(library);
+    return ok;
+}
+
+static bool info_program(const Options *options, Error *error) {
+    Scene scene;
+    if (!setup_scene(options, NULL, &scene, error)) return false;
+    printf("magichour %s\n", MAGICHOUR_VERSION);
+    bool ok = print_backends(options, error);
+    if (ok) {
+        print_methods();
+        printf("atmospheres\n");
+        for (int i = 0; atmosphere_preset(i); i++)
+            printf("  %-20s %s\n", atmosphere_preset(i)->name, atmosphere_preset(i)->source);
+        printf("settings of the atmosphere, values of %s\n",
+               options->atmosphere ? options->atmosphere : atmosphere_preset(0)->name);
+        print_atmosphere(&scene.values.atmosphere);
+    }
+    scene_destroy(&scene);
+    return ok;
+}
+
+Status cmd_info(const Options *options, Error *error) {
+    bool ok = options->input_count ? info_scene(options, error) : info_program(options, error);
+    return ok ? STATUS_DONE : error->status;
 }

@@ -40,12 +40,12 @@ static bool check_aov(const Options *options, unsigned *kinds, Error *error) {
 static bool prepare(RenderJob *job, Error *error) {
     const Options *options = job->options;
     if (!check_outputs(options, error) || !check_aov(options, &job->aov_kinds, error) ||
-        !setup_library(options, &job->library, error) || !setup_scene(options, &job->scene, error)) {
+        !setup_library(options, &job->library, error) ||
+        !setup_scene(options, job->library, &job->scene, error)) {
         return false;
     }
     if (options->width && !scene_check_size(options->width, options->height, error)) return false;
     RenderParams params = {.scene = &job->scene,
-                           .library = job->library,
                            .sky = options->sky,
                            .light = options->light,
                            .sequence = options->sequence,

@@ -27,6 +27,7 @@ static const double map_error_percent = 0.3;
 typedef struct Job {
     const Options *options;
     char *library;
+    SourceStore *sources;
     /* Only the sky's settings are used. */
     Scene scene;
     Context context;
@@ -54,10 +55,11 @@ static bool open_probe(Job *job, double directions, Error *error) {
                      .sun_elevation_deg = job->scene.values.sun.elevation_deg,
                      .atmosphere = a};
     MethodChoice choice;
-    return setup_library(job->options, &job->library, error) &&
-           auto_sky(&choice, job->options->sky, &wish, error) &&
+    if (!setup_library(job->options, &job->library, error)) return false;
+    job->sources = source_store_create(job->library);
+    return auto_sky(&choice, job->options->sky, &wish, error) &&
            context_open(&job->context, job->options->backend, error) &&
-           sky_probe_create(&job->probe, &job->context, job->library, &choice, a, error);
+           sky_probe_create(&job->probe, &job->context, job->sources, &choice, a, error);
 }
 
 /* Maps. Row 0 is +y, the middle column is +z, and +x is a quarter of the width from the left: the lat-long
@@ -229,7 +231,7 @@ Status cmd_sky(const Options *options, int argc, char **argv, Error *error) {
         error_set(error, STATUS_USAGE, "--sky reference is for --at alone");
         return error->status;
     }
-    ok = setup_scene(options, &job.scene, error) &&
+    ok = setup_scene(options, NULL, &job.scene, error) &&
          (options->at ? answer_rows(&job, error) : make_map(&job, argc, argv, error));
     if (ok && !options->at && !options->quiet) {
         printf("%s: the sky by %s, sun at %g\n", options->outputs[0], job.method,
@@ -238,6 +240,7 @@ Status cmd_sky(const Options *options, int argc, char **argv, Error *error) {
     sky_probe_destroy(&job.probe);
     context_close(&job.context);
     scene_destroy(&job.scene);
+    source_store_release(job.sources);
     free(job.library);
     return ok ? STATUS_DONE : error->status;
 }

@@ -13,8 +13,14 @@
 
 enum { RECORDED_SAMPLES = 64 };
 
+typedef struct Source {
+    const Options *options;
+    char *library;
+} Source;
+
 static bool load(const void *data, Scene *scene, Error *error) {
-    return setup_scene(data, scene, error);
+    const Source *source = data;
+    return setup_scene(source->options, source->library, scene, error);
 }
 
 static void copy_name(char *target, size_t size, const char *name) {
@@ -40,16 +46,16 @@ static bool check_folder(const char *folder, Error *error) {
 }
 
 Status cmd_view(const Options *options, Error *error) {
-    char *library = NULL;
+    Source source = {.options = options};
     error->status = STATUS_DONE;
     interrupt_install();
     log_enable(options->progress && strcmp(options->progress, "json") == 0);
-    bool ok = setup_library(options, &library, error) && check_folder(options->record, error);
+    bool ok = setup_library(options, &source.library, error) && check_folder(options->record, error);
     if (ok) {
         ViewParams params = {.load = load,
-                             .data = options,
+                             .data = &source,
                              .path = options->inputs[0],
-                             .library = library,
+                             .library = source.library,
                              .glsl_dir = options->glsl_dir,
                              .methods = method_names(options),
                              .width = options->width,
@@ -63,6 +69,6 @@ Status cmd_view(const Options *options, Error *error) {
                              .stop = interrupt_requested};
         ok = view_run(&params, error);
     }
-    free(library);
+    free(source.library);
     return ok ? STATUS_DONE : error->status;
 }

@@ -1,4 +1,5 @@
 #include "cmd/pass_json.h"
+#include "scene/glsl_log.h"
 
 #include "base/json.h"
 #include "scene/glsl_uniforms.h"
@@ -67,7 +68,7 @@ static bool print(const Pass *pass, int order, const Plan *plan, const RenderPar
                   const Frame *frame, const Uniforms *uniforms, FILE *file, Error *error) {
     GlslSource source = {0};
     if (!pass_text(pass, plan, params, &source, error)) return false;
-    GlslUniforms declared = glsl_uniforms(&source);
+    GlslUniforms declared = glsl_uniforms(text_string(&source.text));
     print_pass(pass, order, frame, &source, file);
     print_uniforms(pass, &source, &declared, uniforms, file);
     print_samplers(pass, &declared, file);

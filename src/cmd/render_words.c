@@ -91,7 +91,7 @@ static void warn_chance(const RenderJob *job) {
                 "does not know light that no sample has found\n");
     }
     if (!chance_matters(chance)) return;
-    chance_throwers(chance, &job->renderer.plan.needs, throwers, sizeof throwers);
+    chance_throwers(chance, &job->scene.file->facts, throwers, sizeof throwers);
     fprintf(stderr,
             "magichour: warning: %s: sunlight that is thrown by %s is found by chance: about %.2g %% of the "
             "picture's light, in %.2g %% of its pixels (%.2g %% of the paths). The estimated error does not "

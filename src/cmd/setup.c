@@ -56,9 +56,9 @@ static bool apply_settings(const Options *options, Scene *scene, Error *error) {
     return true;
 }
 
-bool setup_scene(const Options *options, Scene *scene, Error *error) {
-    if (!options->input_count) *scene = scene_default("the sky");
-    if (options->input_count && !scene_read(scene, options->inputs[0], error)) return false;
+bool setup_scene(const Options *options, const char *library, Scene *scene, Error *error) {
+    if (!options->input_count) *scene = scene_default("the sky", "");
+    if (options->input_count && !scene_read(scene, options->inputs[0], library, error)) return false;
     if (options->preset && !scene_choose_preset(scene, options->preset, error)) goto fail;
     if (options->atmosphere && !atmosphere_choose(&scene->values.atmosphere, options->atmosphere, error))
         goto fail;

@@ -1,4 +1,5 @@
 #include "gl/program.h"
+#include "scene/glsl_log.h"
 
 #include "base/memory.h"
 #include "base/text.h"

@@ -80,7 +80,7 @@ static void give_units(ProgramTable *table, const GlApi *gl, const GlslUniforms 
 
 ProgramTable *program_table_create(const GlApi *gl, GLuint id, const GlslSource *source) {
     ProgramTable *table = memory_get(1, sizeof *table);
-    GlslUniforms declared = glsl_uniforms(source);
+    GlslUniforms declared = glsl_uniforms(text_string(&source->text));
     text_print(&table->declared, "\n");
     for (int i = 0; i < declared.count; i++) text_print(&table->declared, "%s\n", declared.items[i].name);
     text_print(&table->files, "\n");

@@ -3,6 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
+/* A bit for each (gl/film.h). */
+enum { MOST_MATERIALS = 32 };
+
 bool chance_matters(const FilmChance *chance) {
     return chance->light >= 1e-3;
 }
@@ -16,16 +19,16 @@ static void write_name(const char *name, char *text, size_t size) {
     }
 }
 
-void chance_throwers(const FilmChance *chance, const SceneNeeds *needs, char *text, size_t size) {
-    enum { MOST = sizeof needs->materials / sizeof *needs->materials };
+void chance_throwers(const FilmChance *chance, const SceneFacts *facts, char *text, size_t size) {
     int left = 0;
     size_t used = 0;
-    for (int i = 0; i < MOST; i++) left += (int)(chance->materials >> i & 1);
+    for (int i = 0; i < facts->material_count && i < MOST_MATERIALS; i++)
+        left += (int)(chance->materials >> i & 1);
     text[0] = 0;
-    for (int i = 0; i < MOST && used < size; i++) {
+    for (int i = 0; i < facts->material_count && i < MOST_MATERIALS && used < size; i++) {
         char name[80];
         if (!(chance->materials >> i & 1)) continue;
-        write_name(needs->materials[i], name, sizeof name);
+        write_name(facts->materials[i], name, sizeof name);
         const char *comma = !used ? "" : left == 1 ? " and " : ", ";
         used += (size_t)snprintf(text + used, size - used, "%s%s", comma, name);
         left--;

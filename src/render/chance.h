@@ -9,4 +9,4 @@ bool chance_matters(const FilmChance *chance);
 
 /* Writes which materials throw the light that is left to chance, such as "glass and rough metal", for use in
  * a sentence. */
-void chance_throwers(const FilmChance *chance, const SceneNeeds *needs, char *text, size_t size);
+void chance_throwers(const FilmChance *chance, const SceneFacts *facts, char *text, size_t size);

@@ -1,15 +1,17 @@
 #include "render/passes.h"
 
+#include "render/drawn_mirrors.h"
 #include "render/inputs.h"
 #include "render/spheres.h"
 #include "sky/irradiance.h"
 #include "sky/sky_sampler.h"
 #include "sky/sun.h"
 
-/* Spheres come first, because only they can be refused: then no other table has been changed. */
+/* The mirrors come first, because drawn_mirrors_ask() fills them before all other tables. The spheres come
+ * next, because only they can be refused: then no other table has been changed. */
 const ResourceKind *const picture_tables[] = {
-    &drawn_spheres,  &scene_spheres, &file_spheres, &sky_table, &sky_patches,
-    &sky_irradiance, &sky_sampler,   &sun_table,    &sun_cover, NULL};
+    &drawn_mirrors,  &drawn_spheres, &scene_spheres, &file_spheres, &sky_table, &sky_patches,
+    &sky_irradiance, &sky_sampler,   &sun_table,     &sun_cover,    NULL};
 
 const Pass trace_pass = {.name = "trace", .entry = "pass/trace.glsl"};
 const Pass sun_image_pass = {.name = "trace with the sun's image", .entry = "pass/trace.glsl", .image = true};
@@ -29,20 +31,13 @@ PassList pass_list(const Plan *plan, const RenderParams *params) {
     return list;
 }
 
-/* Writes the hints of a kind as GLSL. Their values stay as written: numbers, or the uniforms of sliders. */
+/* Writes the annotated hints of a kind as GLSL. If the scene defines the function itself, nothing is left to
+ * write: it is in the scene's own text. */
 static void hint_slot(SlotList *slots, const char *name, const Scene *scene, HintKind kind) {
-    const HintInfo *info = hint_info(kind);
-    int count = scene_hint_count(scene, kind);
+    static const HintList none = {0};
+    const HintList *hints = &scene->file->hints[kind];
     Text text = {0};
-    text_print(&text, "const int %s = %d;\nvec%d %s(int i) {\n", info->constant, count, info->components,
-               info->function);
-    for (int i = 0; i < count; i++) {
-        text_print(&text, "    if (i == %d) return vec%d(", i, info->components);
-        for (int k = 0; k < info->components; k++)
-            text_print(&text, "%sfloat(%s)", k ? ", " : "", scene->file->hints[kind].list[i].words[k]);
-        text_print(&text, ");\n");
-    }
-    text_print(&text, "    return vec%d(0.0);\n}", info->components);
+    if (!hints->in_glsl) hint_write(kind, scene_hint_count(scene, kind) ? hints : &none, &text);
     slot_text(slots, name, text_string(&text));
     text_free(&text);
 }
@@ -52,7 +47,7 @@ static void scene_slots(SlotList *slots, const Plan *plan, const Scene *scene) {
     const char *emission = !plan->needs.emits                             ? "emission/none.glsl"
                            : scene_hint_count(scene, HINT_EMITTER_SPHERE) ? "emission/sampled.glsl"
                                                                           : "emission/chance.glsl";
-    inputs_declare(plan->needs.inputs, &inputs);
+    scene_facts_declare_inputs(&scene->file->facts, &inputs);
     slot_text(slots, "inputs", text_string(&inputs));
     text_free(&inputs);
     slot_file(slots, "scene", scene->file->path);
@@ -76,7 +71,7 @@ bool pass_text(const Pass *pass, const Plan *plan, const RenderParams *params, G
     slot_file(&slots, "scatter", params->variance ? "pass/scatter.glsl" : "pass/scatter_none.glsl");
     slot_file(&slots, "search", plan->needs.search ? "pass/search.glsl" : "pass/search_none.glsl");
     slot_file(&slots, "chance", plan_counts_chance(plan) ? "pass/chance.glsl" : "pass/chance_none.glsl");
-    bool ok = glsl_source_create(source, params->library, pass->entry, slots.slots, error);
+    bool ok = glsl_source_create(source, params->scene->file->sources, pass->entry, slots.slots, error);
     slot_list_free(&slots);
     return ok;
 }

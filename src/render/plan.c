@@ -22,27 +22,41 @@ enum {
      * MARCH_STEPS (glsl/shape/march.glsl) and SPHERES_STEPS (glsl/shape/spheres.glsl). glsl/pass/search.glsl
      * notices and counts rays that exceed all loops together. */
     MARCH_ITERATIONS = 200,
-    SPHERES_ITERATIONS = 200,
-    /* The longest chain of flat mirrors in glsl/sun/planes.glsl. */
-    PLANE_CHAIN = 4
+    SPHERES_ITERATIONS = 200
 };
 
-/* The loop iterations at one hit, including the searches of its rays and the loops over bounds, mirror
- * spheres and emitters. */
+/* Whether the plan's methods look for hints of that kind at each hit. */
+static bool looks_for(const Plan *plan, HintKind kind) {
+    switch (kind) {
+    case HINT_BOUND:
+        return plan->light.method->loops_over_bounds;
+    case HINT_MIRROR_SPHERE:
+    case HINT_MIRROR_PLANE:
+        return plan->sun.method->samples_disk;
+    case HINT_EMITTER_SPHERE:
+        return plan->needs.emits;
+    case HINT_KINDS:
+        break;
+    }
+    return false;
+}
+
+/* The loop iterations at one hit, including the searches of its rays and the loops over hints. */
 static long hit_iterations(const Plan *plan, const Scene *scene) {
-    long emitter_count = scene_hint_count(scene, HINT_EMITTER_SPHERE);
-    long mirror_count = scene_hint_count(scene, HINT_MIRROR_SPHERE);
-    long plane_count = scene_hint_count(scene, HINT_MIRROR_PLANE);
-    long bound_count = scene_hint_count(scene, HINT_BOUND);
-    bool sun = plan->sun.method->samples_disk;
-    long emitters = plan->needs.emits ? emitter_count : 0;
-    long rays = 1 + (sun ? 1 : 0) + (sun && mirror_count ? 2 : 0) + (emitters ? 1 : 0);
-    long bounds = plan->light.method->loops_over_bounds ? (emitters ? 3L : 2L) * bound_count : 0;
-    long mirrors = sun && mirror_count ? 6 + 5 * mirror_count : 0;
-    /* Each ray of a chain compares the mirror that it hit with the one that it should hit. */
-    long planes = sun && plane_count ? PLANE_CHAIN * (3 + 2L * PLANE_CHAIN + plane_count) : 0;
-    if (planes) rays += PLANE_CHAIN + 1;
-    return 1 + rays * plan->needs.search_iterations + bounds + mirrors + planes + 3 * emitters;
+    long rays = 1 + (plan->sun.method->samples_disk ? 1 : 0), loops = 0;
+    for (int i = 0; i < HINT_KINDS; i++) {
+        HintKind kind = (HintKind)i;
+        const HintInfo *info = hint_info(kind);
+        int count = scene_hint_count(scene, kind);
+        if (!count || !looks_for(plan, kind)) continue;
+        rays += info->rays;
+        loops += info->loops + (long)info->loops_each * count;
+    }
+    /* A bounce toward an emitter asks for the bounds once more. */
+    if (looks_for(plan, HINT_BOUND) && looks_for(plan, HINT_EMITTER_SPHERE) &&
+        scene_hint_count(scene, HINT_EMITTER_SPHERE))
+        loops += scene_hint_count(scene, HINT_BOUND);
+    return 1 + rays * plan->needs.search_iterations + loops;
 }
 
 /* Sets the number of samples of a draw. If the driver ends loops, "unlimited" is as many hits as its limit
@@ -73,18 +87,17 @@ static bool choose_group(Plan *plan, const RenderParams *params, const Context *
     return true;
 }
 
-static bool same_hint(const Hint *a, const Hint *b) {
-    return memcmp(a->words, b->words, sizeof a->words) == 0;
-}
-
-/* Whether each of the scene's bounds is one of its mirror spheres. */
+/* Whether each of the scene's bounds is one of its mirror spheres. If the scene defines either in GLSL, their
+ * numbers are not known here, and the answer is no. */
 static bool mirrors_alone_block(const Scene *scene) {
     int bounds = scene_hint_count(scene, HINT_BOUND), mirrors = scene_hint_count(scene, HINT_MIRROR_SPHERE);
     const HintList *lists = scene->file->hints;
     int same = 0;
+    if (lists[HINT_BOUND].in_glsl || lists[HINT_MIRROR_SPHERE].in_glsl) return false;
     for (int i = 0; i < bounds; i++) {
         for (int k = 0; k < mirrors; k++) {
-            if (!same_hint(&lists[HINT_BOUND].list[i], &lists[HINT_MIRROR_SPHERE].list[k])) continue;
+            if (!hint_same(HINT_BOUND, &lists[HINT_BOUND].list[i], &lists[HINT_MIRROR_SPHERE].list[k]))
+                continue;
             same++;
             break;
         }
@@ -121,61 +134,31 @@ int plan_height(const RenderParams *params) {
     return params->height ? params->height : params->scene->file->height;
 }
 
-/* Checks the scene's spheres; `calls` is the number of its calls of hit_spheres(). */
-static bool check_spheres(const Scene *scene, const GlslSource *source, int calls, Error *error) {
-    if (calls && !scene->file->spheres[0]) {
+/* Checks that the scene defines the functions that its text needs. */
+static bool check_functions(const Scene *scene, Error *error) {
+    const SceneFile *file = scene->file;
+    if (file->facts.missing)
+        return error_set(error, STATUS_SCENE, "%s:1: missing function: %s", file->path, file->facts.missing);
+    if (file->facts.hit_spheres_calls && !file->spheres[0]) {
         return error_set(error, STATUS_SCENE,
                          "%s:1: hit_spheres() needs `//@ spheres COUNT` or `//@ spheres FILE.csv`",
-                         scene->file->path);
+                         file->path);
     }
-    if (scene->file->spheres[0] && scene_sphere_count(scene) >= 0 &&
-        !glsl_source_defines(source, "scene_sphere")) {
-        return error_set(error, STATUS_SCENE, "%s:%d: missing function: vec4 scene_sphere(int i)",
-                         scene->file->path, scene->file->spheres_line);
-    }
-    return true;
-}
-
-/* Checks that the scene defines the functions that every scene must, and those that a scene with march()
- * must. */
-static bool check_functions(const Scene *scene, const GlslSource *source, Error *error) {
-    static const struct {
-        /* `file`: only scenes that include it need the function; NULL if all do. */
-        const char *name, *signature, *file;
-    } functions[] = {
-        {"scene_intersect", "void scene_intersect(Ray ray, INOUT(Hit) hit)", NULL},
-        {"scene_material", "Material scene_material(Hit hit)", NULL},
-        {"scene_distance", "float scene_distance(vec3 p)", "shape/march.glsl"},
-    };
-    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
-        const char *file = functions[i].file;
-        if (glsl_source_defines(source, functions[i].name)) continue;
-        if (file && !glsl_source_includes(source, file)) continue;
-        return error_set(error, STATUS_SCENE, "%s:1: missing function: %s", scene->file->path,
-                         functions[i].signature);
+    if (file->spheres[0] && scene_sphere_count(scene) >= 0 && !file->facts.makes_spheres) {
+        return error_set(error, STATUS_SCENE, "%s:%d: missing function: vec4 scene_sphere(int i)", file->path,
+                         file->spheres_line);
     }
     return true;
 }
 
-static bool read_needs(const RenderParams *params, SceneNeeds *needs, Error *error) {
-    GlslSource source;
-    if (!glsl_source_create(&source, params->library, params->scene->file->path, NULL, error)) return false;
-    bool ok = check_functions(params->scene, &source, error);
-    int marches = glsl_source_calls(&source, "march"), spheres = glsl_source_calls(&source, "hit_spheres");
-    if (ok) ok = check_spheres(params->scene, &source, spheres, error);
-    *needs = (SceneNeeds){.search = glsl_source_includes(&source, "shape/search.glsl"),
-                          .search_iterations =
-                              (long)marches * MARCH_ITERATIONS + (long)spheres * SPHERES_ITERATIONS,
-                          .emits = glsl_source_emits(&source),
-                          .shiny = glsl_source_includes(&source, "material/glass.glsl") ||
-                                   glsl_source_includes(&source, "material/rough_metal.glsl") ||
-                                   glsl_source_includes(&source, "material/author.glsl"),
-                          .throws = glsl_source_throws(&source),
-                          .inputs = inputs_wanted(&source)};
-    for (int i = 0; i < source.material_count && i < 20; i++)
-        snprintf(needs->materials[i], sizeof needs->materials[i], "%s", source.materials[i]);
-    glsl_source_destroy(&source);
-    return ok;
+static SceneNeeds needs_of(const Scene *scene) {
+    const SceneFacts *facts = &scene->file->facts;
+    return (SceneNeeds){.search = facts->searches,
+                        .search_iterations = (long)facts->march_calls * MARCH_ITERATIONS +
+                                             (long)facts->hit_spheres_calls * SPHERES_ITERATIONS,
+                        .emits = facts->emits,
+                        .shiny = facts->has_glass || facts->has_rough_metal || facts->has_author,
+                        .throws = facts->throws};
 }
 
 bool plan_counts_chance(const Plan *plan) {
@@ -189,8 +172,8 @@ bool plan_choose(Plan *plan, const RenderParams *params, const Context *context,
 }
 
 bool plan_make(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
-    *plan = (Plan){.loop_limit = LOOP_LIMIT_UNKNOWN};
-    return read_needs(params, &plan->needs, error) && plan_choose(plan, params, context, error);
+    *plan = (Plan){.loop_limit = LOOP_LIMIT_UNKNOWN, .needs = needs_of(params->scene)};
+    return check_functions(params->scene, error) && plan_choose(plan, params, context, error);
 }
 
 bool plan_same_programs(const Plan *a, const Plan *b) {

@@ -11,8 +11,6 @@
 
 typedef struct RenderParams {
     const Scene *scene;
-    /* The folder of the GLSL library. */
-    const char *library;
     /* NULL for the default. For the sky the default is the scene's own, if it has one. */
     const char *sky, *light, *sequence;
     /* NULL for the scene's. */
@@ -44,10 +42,6 @@ typedef struct SceneNeeds {
     /* Whether a material may reflect or refract light in narrow lobes or single directions, as mirrors and
      * glass do. */
     bool throws;
-    /* The materials' names by number. Materials with higher numbers are left out. */
-    char materials[20][24];
-    /* The bits of inputs_wanted() (render/inputs.h). */
-    unsigned inputs;
 } SceneNeeds;
 
 enum { LOOP_LIMIT_UNKNOWN = -1 };

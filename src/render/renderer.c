@@ -2,6 +2,7 @@
 
 #include "choice/bias.h"
 #include "gl/strips.h"
+#include "render/drawn_mirrors.h"
 
 #include <math.h>
 #include <string.h>
@@ -10,8 +11,9 @@ static bool compile(Program *program, const Context *context, const GlslSource *
                     const RenderParams *params, Error *error) {
     if (program_create(program, &context->gl, source, error)) return true;
     /* If the scene's text ends too early, the compiler reports the error in the library's text behind it. */
-    if (strncmp(error->text, params->library, strlen(params->library)) == 0)
-        error_prefix(error, "%s: ", params->scene->file->path);
+    const SceneFile *file = params->scene->file;
+    if (strncmp(error->text, file->sources->folder, strlen(file->sources->folder)) == 0)
+        error_prefix(error, "%s: ", file->path);
     return false;
 }
 
@@ -108,7 +110,18 @@ static void follow(Renderer *renderer, const Frame *frame) {
         bias_sky_percent(&renderer->plan.sky, scene->values.sun.elevation_deg, &scene->values.atmosphere);
     renderer->sun_by_chance = sun->has_disk && !sun->samples_disk;
     renderer->camera = frame->camera;
-    renderer->image = sun_image(frame);
+}
+
+/* Where the picture of this frame may hold the sun's image. */
+static bool find_image(const Renderer *renderer, Frame *frame, SunImage *image, Error *error) {
+    double mirrors[MOST_HINTS][4];
+    Uniforms uniforms = {0};
+    frame_uniforms(frame, &renderer->plan, renderer->seed, &uniforms);
+    bool ok = drawn_mirrors_ask(&renderer->tables, frame, &uniforms, mirrors, error);
+    if (ok) *image = sun_image(frame);
+    uniforms_free(&uniforms);
+    frame->mirrors = NULL;
+    return ok;
 }
 
 static bool create_parts(Renderer *renderer, const Context *context, const RenderParams *params,
@@ -118,11 +131,12 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
     Frame frame = frame_of(&renderer->plan, params->scene, &camera);
     follow(renderer, &frame);
     return create_program(renderer, context, params, error) &&
-           serve_image(renderer, context, &renderer->image, params, error) &&
            film_create(&renderer->film, context, width, height,
                        film_parts(&renderer->plan, renderer->variance), error) &&
-           create_tables(renderer, context, params, &frame, error) && set_up(renderer, &frame, error) &&
-           warm_up(renderer, error);
+           create_tables(renderer, context, params, &frame, error) &&
+           find_image(renderer, &frame, &renderer->image, error) &&
+           serve_image(renderer, context, &renderer->image, params, error) &&
+           set_up(renderer, &frame, error) && warm_up(renderer, error);
 }
 
 bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
@@ -187,8 +201,9 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
     Film next;
     renderer->plan = plan;
     renderer->seed = params->seed;
-    SunImage image = sun_image(&frame);
+    SunImage image;
     if (!create_next_film(renderer, context, &camera, &next, error) ||
+        !find_image(renderer, &frame, &image, error) ||
         !serve_image(renderer, context, &image, params, error) || !set_up(renderer, &frame, error)) {
         film_destroy(&next);
         renderer->plan = before;
@@ -196,6 +211,7 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
         return false;
     }
     follow(renderer, &frame);
+    renderer->image = image;
     clear_film(renderer, &next);
     renderer->pixels_per_second *= (double)renderer->group / plan.group_samples;
     renderer->group = plan.group_samples;

@@ -121,13 +121,11 @@ static bool wants_read(const void *frame) {
 
 static bool compute_read(Resource *table, const void *frame, Error *error) {
     const Scene *scene = scene_of(frame);
-    char *path = scene_sphere_path(scene);
     float *numbers = NULL;
     int count;
-    bool ok = sphere_file_read(path, SCENE_MOST_SPHERES, &numbers, &count, error) &&
+    bool ok = sphere_file_parse(scene_sphere_file(scene), SCENE_MOST_SPHERES, &numbers, &count, error) &&
               upload(table, scene, numbers, count, error);
     free(numbers);
-    free(path);
     return ok;
 }
 

@@ -60,11 +60,11 @@ static const char *take_declaration(const char *at, int file, GlslUniforms *unif
     }
 }
 
-GlslUniforms glsl_uniforms(const GlslSource *source) {
+GlslUniforms glsl_uniforms(const char *text) {
     GlslUniforms uniforms = {0};
     int file = 0;
     bool line_start = true;
-    for (const char *at = text_string(&source->text); *at;) {
+    for (const char *at = text; *at;) {
         const char *next = skip_blanks(at);
         line_start = line_start || memchr(at, '\n', (size_t)(next - at)) != NULL;
         at = next;

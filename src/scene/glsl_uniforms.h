@@ -18,7 +18,7 @@ typedef struct GlslUniforms {
 
 /* Lists every declaration outside of comments, `uniform vec3 a, b;` as two. To be freed by
  * glsl_uniforms_free(). */
-GlslUniforms glsl_uniforms(const GlslSource *source);
+GlslUniforms glsl_uniforms(const char *text);
 void glsl_uniforms_free(GlslUniforms *uniforms);
 
 /* The declaration of that name, or NULL. */

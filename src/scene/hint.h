@@ -1,5 +1,12 @@
-/* Hints: what a scene says about itself so that light is found sooner. They change no picture's mean. */
+/* Hints: what a scene says about itself so that light is found sooner. They change no picture's mean.
+ *
+ * A scene says them by annotations, `//@ mirror-sphere 0 1 0 0.5`, or defines the constant and the function
+ * that such annotations stand for: `const int MIRROR_SPHERES = 1; vec4 mirror_sphere(int i) { ... }`. */
 #pragma once
+
+#include "base/text.h"
+
+#include <stdbool.h>
 
 /* The bounds of what may block the sky, the mirrors, and what emits light. */
 typedef enum HintKind {
@@ -20,6 +27,9 @@ typedef struct HintInfo {
     int components;
     /* The GLSL constant that holds their number, and the function of an int that returns one of them. */
     const char *constant, *function;
+    /* What hints of the kind cost at a hit that looks for them: rays, and iterations of loops beside those of
+     * the rays, for all of them and for each. */
+    int rays, loops, loops_each;
 } HintInfo;
 
 const HintInfo *hint_info(HintKind kind);
@@ -33,6 +43,15 @@ typedef struct Hint {
 } Hint;
 
 typedef struct HintList {
-    Hint list[MOST_HINTS];
     int count;
+    /* Whether the scene defines the function itself; then the list is empty. */
+    bool in_glsl;
+    Hint list[MOST_HINTS];
 } HintList;
+
+/* Whether two hints of a kind are the same for all values of the sliders: their words are the same numbers or
+ * the same sliders. */
+bool hint_same(HintKind kind, const Hint *a, const Hint *b);
+
+/* Writes the kind's constant and function for the annotations of a list. */
+void hint_write(HintKind kind, const HintList *hints, Text *text);

@@ -3,21 +3,21 @@
 #pragma once
 
 #include "scene/scene_file.h"
+#include "scene/setting.h"
 
 typedef struct Scene {
     const SceneFile *file;
     SceneValues values;
 } Scene;
 
-/* Pictures' limits, as a sentence for errors and the check itself (STATUS_USAGE). */
-MUST_CHECK bool scene_check_size(double width, double height, Error *error);
+/* The scene that a file without annotations would be; `path` names it in errors. `library` is the folder of
+ * the GLSL library. To be destroyed. */
+Scene scene_default(const char *path, const char *library);
 
-/* The scene that a file without annotations would be; `path` names it in errors. To be destroyed. */
-Scene scene_default(const char *path);
-
-/* Reads a scene file's annotations; presets are tried out, so that a wrong one is found at once.
- * STATUS_SCENE with "path:line: ...". */
-MUST_CHECK bool scene_read(Scene *scene, const char *path, Error *error);
+/* Reads a scene's file, with all that it includes: the texts, which are opened this once, the annotations and
+ * the facts. Presets are tried out, so that a wrong one is found at once. STATUS_SCENE with "path:line: ...".
+ */
+MUST_CHECK bool scene_read(Scene *scene, const char *path, const char *library, Error *error);
 
 /* Releases the file. */
 void scene_destroy(Scene *scene);
@@ -39,15 +39,16 @@ void scene_set_sun(Scene *scene, double elevation_deg, double azimuth_deg);
 /* How many hints of a kind there are: none if the kind is ignored. */
 int scene_hint_count(const Scene *scene, HintKind kind);
 
-/* One hint's numbers, with the sliders as they are. */
+/* One annotated hint's numbers, with the sliders as they are. Hints that the scene defines in GLSL are known
+ * to the GPU alone (render/hints.h). */
 void scene_hint(const Scene *scene, HintKind kind, int index, double out[4]);
 
 /* How many spheres the GLSL function scene_sphere() makes, with the sliders as they are; -1 where they come
  * from a file. */
 int scene_sphere_count(const Scene *scene);
 
-/* That file, which is named from the scene's folder; to be freed. */
-char *scene_sphere_path(const Scene *scene);
+/* The file that the spheres come from, which is named from the scene's folder; NULL where there is none. */
+const SourceFile *scene_sphere_file(const Scene *scene);
 
 /* What no single value shows: a camera that looks somewhere, an atmosphere above its planet (STATUS_USAGE).
  */

@@ -1,9 +1,10 @@
-/* A scene's file: what its annotations say. It does not change once it is read, and is shared by all that use
- * it. */
+/* A scene's file: its texts, what its annotations say, and what its GLSL says. It does not change once it is
+ * read, and is shared by all that use it. */
 #pragma once
 
 #include "base/error.h"
 #include "scene/hint.h"
+#include "scene/scene_facts.h"
 #include "scene/scene_values.h"
 
 typedef enum ParameterType { PARAMETER_SLIDER, PARAMETER_CHECKBOX, PARAMETER_COLOR } ParameterType;
@@ -14,7 +15,8 @@ typedef struct Parameter {
     ParameterType type;
     /* Of a slider. */
     double min, max;
-    char unit[16], label[96];
+    /* Owned; "" where there is none. */
+    char *unit, *label;
 } Parameter;
 
 /* `NAME VALUE` of a preset, applied as --set does. */
@@ -34,7 +36,10 @@ enum { SCENE_MOST_SPHERES = 1000000 };
 typedef struct SceneFile {
     /* As it was given; owned. */
     char *path;
-    char title[128], look[256];
+    /* The texts that it is made of, and all that its programs are made of. */
+    SourceStore *sources;
+    /* Owned; "" where there is none. */
+    char *title, *look;
     /* The picture's, pixels. */
     int width, height;
     /* The sky method that the scene asks for; empty if it asks for none. */
@@ -49,11 +54,18 @@ typedef struct SceneFile {
      * them; empty if there are none. */
     char spheres[256];
     int spheres_line;
+    /* That file; NULL where there is none. */
+    const SourceFile *sphere_file;
+    SceneFacts facts;
     /* What the file sets. */
     SceneValues values;
     /* References. */
     int users;
 } SceneFile;
+
+/* A file without annotations, to be filled while its one reference is held. `library` is the folder of the
+ * GLSL library. */
+SceneFile *scene_file_create(const char *path, const char *library);
 
 /* One more reference to the same file, to be released. */
 const SceneFile *scene_file_share(const SceneFile *file);

@@ -37,19 +37,17 @@ static bool read_line(char *line, int *rows, int most, float **spheres, int *cou
     return read_row(line, *spheres + 4 * (*count)++, error);
 }
 
-bool sphere_file_read(const char *path, int most, float **spheres, int *count, Error *error) {
-    Text file = {0};
+bool sphere_file_parse(const SourceFile *file, int most, float **spheres, int *count, Error *error) {
     int rows = 0;
+    bool ok = true;
     *spheres = NULL;
     *count = 0;
-    bool ok = lines_read(path, STATUS_SCENE, &file, error);
-    Lines lines = lines_of(text_string(&file));
+    Lines lines = lines_of(text_string(&file->text));
     for (char *line; ok && (line = lines_next(&lines));) {
         ok = read_line(line, &rows, most, spheres, count, error);
-        if (!ok) error->status = STATUS_SCENE, error_prefix(error, "%s:%d: ", path, lines.number);
+        if (!ok) error->status = STATUS_SCENE, error_prefix(error, "%s:%d: ", file->path, lines.number);
     }
     lines_free(&lines);
-    text_free(&file);
     if (!ok) free(*spheres), *spheres = NULL, *count = 0;
     return ok;
 }

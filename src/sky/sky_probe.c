@@ -13,20 +13,20 @@ enum { SIDE = 256 };
 
 /* What the texts of the sky's programs are made from. */
 typedef struct Texts {
-    const char *library;
+    SourceStore *sources;
     SlotList slots;
 } Texts;
 
 static bool make_text(const void *data, const char *entry, GlslSource *source, Error *error) {
     const Texts *texts = data;
-    return glsl_source_create(source, texts->library, entry, texts->slots.slots, error);
+    return glsl_source_create(source, texts->sources, entry, texts->slots.slots, error);
 }
 
-static bool create_programs(SkyProbe *probe, const Context *context, const char *library,
+static bool create_programs(SkyProbe *probe, const Context *context, SourceStore *sources,
                             const Atmosphere *atmosphere, Error *error) {
     static const ResourceKind *const kinds[] = {&sky_table, NULL};
     Frame frame = {.sky = &probe->choice};
-    Texts texts = {.library = library};
+    Texts texts = {.sources = sources};
     ResourceTexts maker = {make_text, &texts};
     GlslSource source = {0};
     sky_slots(&texts.slots, &probe->choice, atmosphere);
@@ -38,11 +38,11 @@ static bool create_programs(SkyProbe *probe, const Context *context, const char 
     return ok;
 }
 
-bool sky_probe_create(SkyProbe *probe, const Context *context, const char *library,
+bool sky_probe_create(SkyProbe *probe, const Context *context, SourceStore *sources,
                       const MethodChoice *choice, const Atmosphere *atmosphere, Error *error) {
     const GlApi *gl = &context->gl;
     *probe = (SkyProbe){.gl = gl, .choice = *choice};
-    if (!create_programs(probe, context, library, atmosphere, error)) goto fail;
+    if (!create_programs(probe, context, sources, atmosphere, error)) goto fail;
     probe->texture[0] = texture_create(gl, SIDE, SIDE, GL_NEAREST, NULL);
     probe->texture[1] = texture_create(gl, SIDE, SIDE, GL_NEAREST, NULL);
     gl->GenFramebuffers(1, &probe->framebuffer);

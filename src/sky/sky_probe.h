@@ -13,7 +13,7 @@ typedef struct SkyProbe {
 } SkyProbe;
 
 /* Whether the atmosphere has ozone must not change afterwards. */
-MUST_CHECK bool sky_probe_create(SkyProbe *probe, const Context *context, const char *library,
+MUST_CHECK bool sky_probe_create(SkyProbe *probe, const Context *context, SourceStore *sources,
                                  const MethodChoice *choice, const Atmosphere *atmosphere, Error *error);
 void sky_probe_destroy(SkyProbe *probe);
 

@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { TABLE_COLUMNS = 256 };
 
@@ -70,7 +71,10 @@ SunImage sun_image(const Frame *frame) {
     add_rectangle(&image, camera_cone_rectangle(camera, disk.middle, disk.radius));
     for (int i = 0; i < scene_hint_count(scene, HINT_MIRROR_SPHERE); i++) {
         double sphere[4], direction[3];
-        scene_hint(scene, HINT_MIRROR_SPHERE, i, sphere);
+        if (frame->mirrors)
+            memcpy(sphere, frame->mirrors[i], sizeof sphere);
+        else
+            scene_hint(scene, HINT_MIRROR_SPHERE, i, sphere);
         if (sphere[3] <= 0 || !reflected_toward(camera->eye, sphere, disk.middle, direction)) continue;
         add_rectangle(&image, camera_cone_rectangle(camera, direction, 1.1 * disk.radius));
     }

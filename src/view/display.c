@@ -6,16 +6,18 @@ static const char *const files[DISPLAY_WAYS] = {"pass/shown_picture.glsl", "pass
                                                 "pass/shown_difference.glsl", "pass/shown_raw.glsl"};
 
 bool display_create(Display *display, const Context *context, const char *library, Error *error) {
+    SourceStore *sources = source_store_create(library);
+    bool ok = true;
     *display = (Display){0};
-    for (int way = 0; way < DISPLAY_WAYS; way++) {
+    for (int way = 0; ok && way < DISPLAY_WAYS; way++) {
         const GlslSlot slots[] = {{"shown", files[way], NULL}, {NULL, NULL, NULL}};
         GlslSource source;
-        bool ok = glsl_source_create(&source, library, "pass/display.glsl", slots, error) &&
-                  program_create(&display->programs[way], &context->gl, &source, error);
+        ok = glsl_source_create(&source, sources, "pass/display.glsl", slots, error) &&
+             program_create(&display->programs[way], &context->gl, &source, error);
         glsl_source_destroy(&source);
-        if (!ok) return false;
     }
-    return true;
+    source_store_release(sources);
+    return ok;
 }
 
 void display_destroy(Display *display) {

@@ -5,9 +5,11 @@ extern "C" {
 #include "view/keys.h"
 }
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <string>
 #include <vector>
 
 /* In heights of the font, as all lengths here. */
@@ -59,15 +61,13 @@ static void preset_section(ViewState *state) {
 static void parameter(const Parameter *p, double *value) {
     float color[3] = {(float)value[0], (float)value[1], (float)value[2]};
     bool on = value[0] > 0;
-    char format[32];
-    snprintf(format, sizeof format, "%%.3g %s", p->unit);
-    for (char *c = format + 5; *c; c++) {
-        /* A percent sign of the unit would be taken as a format. */
-        if (*c == '%') *c = ' ';
-    }
+    std::string unit(p->unit);
+    /* A percent sign of the unit would be taken as a format. */
+    std::replace(unit.begin(), unit.end(), '%', ' ');
+    std::string format = "%.3g " + unit;
     switch (p->type) {
     case PARAMETER_SLIDER:
-        slider(p->name, value, p->min, p->max, format);
+        slider(p->name, value, p->min, p->max, format.c_str());
         break;
     case PARAMETER_CHECKBOX:
         if (ImGui::Checkbox(p->name, &on)) value[0] = on;

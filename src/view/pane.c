@@ -33,7 +33,6 @@ static const char *sky_of(const PaneParams *params) {
 
 static RenderParams render_params(const PaneParams *params, int coarseness) {
     return (RenderParams){.scene = params->scene,
-                          .library = params->library,
                           .sky = sky_of(params),
                           .light = method_name(params->methods->light),
                           .sequence = method_name(params->methods->sequence),

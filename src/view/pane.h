@@ -10,7 +10,6 @@
 /* What a pane has to show. Any change starts the picture anew. */
 typedef struct PaneParams {
     const Context *context;
-    const char *library;
     const Scene *scene;
     const MethodNames *methods;
     int width, height;

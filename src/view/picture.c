@@ -31,7 +31,6 @@ static PaneParams pane_params(const Picture *picture, const ViewState *state, in
     const ViewParams *params = picture->params;
     bool moving = picture_moves(picture);
     return (PaneParams){.context = picture->context,
-                        .library = params->library,
                         .scene = scene,
                         .methods = &state->methods[side],
                         .width = picture->width,
@@ -48,8 +47,8 @@ static PaneParams pane_params(const Picture *picture, const ViewState *state, in
 bool picture_create(Picture *picture, const ViewParams *params, const Context *context, ViewState *state,
                     Error *error) {
     *picture = (Picture){.params = params, .context = context};
-    state->clock_running = toy_is(params->library, params->path);
-    return !state->clock_running || toy_compile(&picture->toy, context, params->library, params->path, error);
+    state->clock_running = state->file.file->facts.is_toy;
+    return !state->clock_running || toy_compile(&picture->toy, context, state->file.file, error);
 }
 
 void picture_destroy(Picture *picture) {
@@ -149,10 +148,10 @@ static bool reload_sides(Picture *picture, const ViewState *state, Error *error)
     return ok;
 }
 
-static bool reload_content(Picture *picture, ViewState *state, bool toy, Error *error) {
-    const ViewParams *params = picture->params;
-    if (toy) {
-        if (!toy_compile(&picture->toy, picture->context, params->library, params->path, error)) return false;
+static bool reload_content(Picture *picture, ViewState *state, Error *error) {
+    const SceneFile *file = state->scene.file;
+    if (file->facts.is_toy) {
+        if (!toy_compile(&picture->toy, picture->context, file, error)) return false;
         for (int i = 0; i < MOST_SIDES; i++) pane_destroy(&picture->panes[i]);
         return true;
     }
@@ -163,11 +162,10 @@ static bool reload_content(Picture *picture, ViewState *state, bool toy, Error *
 
 bool picture_reload(Picture *picture, ViewState *state, Error *error) {
     Scene before = state->scene, file;
-    bool toy = toy_is(picture->params->library, picture->params->path);
     if (!picture->params->load(picture->params->data, &file, error)) return false;
     state->scene = file;
     carry_over(&state->scene, &state->file, &before);
-    if (!reload_content(picture, state, toy, error)) {
+    if (!reload_content(picture, state, error)) {
         state->scene = before;
         scene_destroy(&file);
         return false;
@@ -180,31 +178,12 @@ bool picture_reload(Picture *picture, ViewState *state, Error *error) {
     return true;
 }
 
-static void watch_spheres(Watch *watch, const Scene *scene) {
-    char *path = scene_sphere_path(scene);
-    watch_add_file(watch, path);
-    free(path);
-}
-
 void picture_watch(Picture *picture, const ViewState *state, Watch *watch) {
-    Scene scene = state->scene;
-    const MethodNames *methods = &state->methods[0];
-    RenderParams params = {.scene = &scene,
-                           .library = picture->params->library,
-                           .sky = method_name(methods->sky),
-                           .light = method_name(methods->light),
-                           .sequence = method_name(methods->sequence)};
-    GlslSource source = {0};
-    Error error;
-    bool toy = is_toy(picture);
-    bool read = toy ? glsl_source_create(&source, params.library, picture->params->path, NULL, &error)
-                    : pass_trace_text(&params, &source, &error);
+    const SceneFile *file = state->scene.file;
     watch_add_file(watch, picture->params->path);
-    if (read) watch_add(watch, params.library, &source);
-    if (scene.file->spheres[0] && scene_sphere_count(&scene) < 0) watch_spheres(watch, &scene);
-    picture->wants_time = read && !toy && glsl_source_mentions(&source, "iTime");
-    picture->wants_mouse = read && !toy && glsl_source_mentions(&source, "iMouse");
-    glsl_source_destroy(&source);
+    watch_add(watch, file->sources);
+    picture->wants_time = !file->facts.is_toy && scene_facts_mention(&file->facts, INPUT_TIME);
+    picture->wants_mouse = !file->facts.is_toy && scene_facts_mention(&file->facts, INPUT_MOUSE);
 }
 
 static DisplaySide display_side(const Pane *pane) {
@@ -258,7 +237,7 @@ static bool fill_pixel(Picture *picture, const ViewState *state, PixelFigures *p
     const Pane *pane = &picture->panes[side];
     pixel->known = false;
     if (!state->inspect || !state->overlay || pane->preview_samples || !pane->renderer.gl) return true;
-    RenderParams params = {.scene = &state->scene, .library = picture->params->library};
+    RenderParams params = {.scene = &state->scene};
     bool ok = inspect_pixel(&picture->inspect, picture->context, &params, &pane->renderer,
                             (int)floor(state->pointer[0]), (int)floor(state->pointer[1]), pixel, error);
     pixel->place = state->split ? 1 + side : 0;

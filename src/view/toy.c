@@ -8,20 +8,11 @@
 
 enum { CHANNELS = 4 };
 
-bool toy_is(const char *library, const char *path) {
-    GlslSource source;
-    Error error;
-    if (!glsl_source_create(&source, library, path, NULL, &error)) return false;
-    bool is = glsl_source_defines(&source, "mainImage") && !glsl_source_defines(&source, "scene_intersect");
-    glsl_source_destroy(&source);
-    return is;
-}
-
-bool toy_compile(Toy *toy, const Context *context, const char *library, const char *path, Error *error) {
-    const GlslSlot slots[] = {{"scene", path, NULL}, {NULL, NULL, NULL}};
+bool toy_compile(Toy *toy, const Context *context, const SceneFile *file, Error *error) {
+    const GlslSlot slots[] = {{"scene", file->path, NULL}, {NULL, NULL, NULL}};
     GlslSource source;
     Program program;
-    if (!glsl_source_create(&source, library, "pass/shadertoy.glsl", slots, error)) return false;
+    if (!glsl_source_create(&source, file->sources, "pass/shadertoy.glsl", slots, error)) return false;
     bool ok = program_create(&program, &context->gl, &source, error);
     glsl_source_destroy(&source);
     if (!ok) return false;

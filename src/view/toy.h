@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gl/target.h"
+#include "scene/scene_file.h"
 
 #include <stdint.h>
 
@@ -21,13 +22,9 @@ typedef struct Toy {
     double mouse[4];
 } Toy;
 
-/* Says whether the file is a Shadertoy program. Returns false if it cannot be read; others report that. */
-bool toy_is(const char *library, const char *path);
-
-/* Replaces the program and keeps the frame before. `toy` may be empty. If it fails with STATUS_SCENE and
- * "file:line: ...", `toy` is unchanged. */
-MUST_CHECK bool toy_compile(Toy *toy, const Context *context, const char *library, const char *path,
-                            Error *error);
+/* Replaces the program by the file's, and keeps the frame before. `toy` may be empty. If it fails with
+ * STATUS_SCENE and "file:line: ...", `toy` is unchanged. */
+MUST_CHECK bool toy_compile(Toy *toy, const Context *context, const SceneFile *file, Error *error);
 void toy_destroy(Toy *toy);
 
 /* Sets the size. If the size changes, the program starts at its first frame. */

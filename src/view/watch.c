@@ -65,11 +65,9 @@ static void add_folder(Watch *watch, const char *folder, int depth) {
     closedir(entries);
 }
 
-void watch_add(Watch *watch, const char *library, const GlslSource *source) {
-    add_folder(watch, library, 0);
-    for (int i = 0; i < source->file_count; i++) {
-        if (source->files[i][0] != '<') watch_add_file(watch, source->files[i]);
-    }
+void watch_add(Watch *watch, const SourceStore *sources) {
+    add_folder(watch, sources->folder, 0);
+    for (int i = 0; i < sources->file_count; i++) watch_add_file(watch, sources->files[i]->path);
 }
 
 void watch_folders(Watch *watch, bool on) {

@@ -2,7 +2,7 @@
  * files again and again. This works on every file system, and however an editor saves. */
 #pragma once
 
-#include "scene/glsl_source.h"
+#include "scene/source_store.h"
 
 typedef struct WatchedFile WatchedFile;
 
@@ -18,8 +18,8 @@ typedef struct Watch {
     bool folders;
 } Watch;
 
-/* Adds these files, and every .glsl file below the library's folder. */
-void watch_add(Watch *watch, const char *library, const GlslSource *source);
+/* Adds the store's files, and every .glsl file below its library's folder. */
+void watch_add(Watch *watch, const SourceStore *sources);
 void watch_add_file(Watch *watch, const char *path);
 
 /* Turns on or off whether changes in the files' folders count too. They are needed if a scene includes a

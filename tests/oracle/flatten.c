@@ -52,7 +52,8 @@ int main(int count, char **arguments) {
     char name[64];
     snprintf(name, sizeof name, "%s", slash ? slash + 1 : arguments[1]);
     name[strcspn(name, ".")] = 0;
-    bool ok = glsl_source_create(&source, "glsl", arguments[1], NULL, &error);
+    SourceStore *store = source_store_create("glsl");
+    bool ok = glsl_source_create(&source, store, arguments[1], NULL, &error);
     if (ok) {
         make_cpp(&cpp, &source, name);
         make_rules(&rules, &source, arguments[2]);
@@ -62,6 +63,7 @@ int main(int count, char **arguments) {
     }
     if (!ok) fprintf(stderr, "%s\n", error.text);
     glsl_source_destroy(&source);
+    source_store_release(store);
     text_free(&cpp);
     text_free(&rules);
     text_free(&rules_path);

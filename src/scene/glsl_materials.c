@@ -1,0 +1,143 @@
+#include "scene/glsl_materials.h"
+
+#include "base/memory.h"
+#include "scene/glsl_scan.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The name in ".../material/NAME.glsl", to be freed; NULL for any other path. */
+static char *material_name(const char *path) {
+    static const char folder[] = "material";
+    size_t length = sizeof folder - 1;
+    const char *slash = strrchr(path, '/');
+    if (!slash || (size_t)(slash - path) < length || strncmp(slash - length, folder, length) != 0)
+        return NULL;
+    const char *before = slash - length;
+    if (before != path && before[-1] != '/') return NULL;
+    return strndup(slash + 1, strcspn(slash + 1, "."));
+}
+
+static bool is_identifier(const char *name) {
+    if (!isalpha((unsigned char)*name)) return false;
+    for (; *name; name++) {
+        if (!isalnum((unsigned char)*name) && *name != '_') return false;
+    }
+    return true;
+}
+
+bool glsl_material_number(GlslSource *source, const char *path, Error *error) {
+    char *name = material_name(path);
+    if (!name) return true;
+    if (!is_identifier(name)) {
+        error_set(
+            error, STATUS_SCENE,
+            "'%s' is no name for a material's file: it has to be letters, digits and _, and to begin with "
+            "a letter",
+            name);
+        free(name);
+        return false;
+    }
+    text_print(&source->text, "const int MATERIAL_");
+    for (const char *c = name; *c; c++) text_print(&source->text, "%c", toupper((unsigned char)*c));
+    text_print(&source->text, " = %d;\n", source->material_count);
+    source->materials =
+        memory_grow(source->materials, (size_t)source->material_count + 1, sizeof *source->materials);
+    source->materials[source->material_count++] = name;
+    return true;
+}
+
+/* One function for all materials: a call of the right one by the material's kind. */
+static void generate_dispatch(GlslSource *source, const char *type, const char *verb, const char *parameters,
+                              const char *arguments, const char *nothing) {
+    Text *text = &source->text;
+    text_print(text, "%s material_%s(Material material, vec3 normal, vec3 incoming, %s) {\n", type, verb,
+               parameters);
+    for (int i = 0; i < source->material_count; i++) {
+        if (i + 1 < source->material_count) text_print(text, "    if (material.kind == %d)\n    ", i);
+        text_print(text, "    return %s_%s(material, normal, incoming, %s);\n", source->materials[i], verb,
+                   arguments);
+    }
+    if (!source->material_count) text_print(text, "    return %s;\n", nothing);
+    text_print(text, "}\n");
+}
+
+static bool emits(const GlslSource *source, const GlslScan *scan, int material) {
+    Text function = {0};
+    text_print(&function, "%s_emitted", source->materials[material]);
+    bool defined = glsl_scan_defines(scan, text_string(&function));
+    text_free(&function);
+    return defined;
+}
+
+bool glsl_materials_emit(const GlslSource *source) {
+    GlslScan scan = glsl_scan(text_string(&source->text));
+    bool found = false;
+    for (int i = 0; i < source->material_count; i++) found = found || emits(source, &scan, i);
+    glsl_scan_free(&scan);
+    return found;
+}
+
+/* Only some materials emit, and only they need a function for it. */
+static void generate_emitted(GlslSource *source) {
+    Text calls = {0};
+    GlslScan scan = glsl_scan(text_string(&source->text));
+    for (int i = 0; i < source->material_count; i++) {
+        if (emits(source, &scan, i))
+            text_print(&calls,
+                       "    if (material.kind == %d) return %s_emitted(material, normal, incoming);\n", i,
+                       source->materials[i]);
+    }
+    if (calls.size) {
+        text_print(&source->text,
+                   "vec3 material_emitted(Material material, vec3 normal, vec3 incoming) {\n%s"
+                   "    return vec3(0.0);\n}\n",
+                   text_string(&calls));
+    }
+    glsl_scan_free(&scan);
+    text_free(&calls);
+}
+
+bool glsl_materials_throw(const GlslSource *source) {
+    GlslScan scan = glsl_scan(text_string(&source->text));
+    bool found = false;
+    for (int i = 0; i < source->material_count && !found; i++) {
+        Text constant = {0};
+        text_print(&constant, "%s_THROWS", source->materials[i]);
+        for (size_t k = 0; k < constant.size; k++)
+            constant.data[k] = (char)toupper((unsigned char)constant.data[k]);
+        found = !glsl_scan_declares(&scan, "bool", text_string(&constant));
+        text_free(&constant);
+    }
+    glsl_scan_free(&scan);
+    return found;
+}
+
+/* A material whose directions are not all alike tells itself how much it throws; one without a density, which
+ * has one direction alone, throws all. */
+static void generate_throws(GlslSource *source) {
+    Text *text = &source->text;
+    GlslScan scan = glsl_scan(text_string(text));
+    text_print(text, "float material_throws(Material material, Bounce bounce) {\n");
+    for (int i = 0; i < source->material_count; i++) {
+        Text function = {0};
+        text_print(&function, "%s_throws", source->materials[i]);
+        if (glsl_scan_defines(&scan, text_string(&function)))
+            text_print(text, "    if (material.kind == %d) return %s(material);\n", i,
+                       text_string(&function));
+        text_free(&function);
+    }
+    text_print(text, "    return bounce.pdf > 0.0 ? 0.0 : 1.0;\n}\n");
+    glsl_scan_free(&scan);
+}
+
+void glsl_materials_write(GlslSource *source) {
+    generate_dispatch(source, "Bounce", "sample", "vec2 u, vec2 v", "u, v",
+                      "Bounce(normal, vec3(0.0), 0.0, false)");
+    generate_dispatch(source, "float", "pdf", "vec3 outgoing", "outgoing", "0.0");
+    generate_dispatch(source, "vec3", "value", "vec3 outgoing", "outgoing", "vec3(0.0)");
+    generate_emitted(source);
+    generate_throws(source);
+}
