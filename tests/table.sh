@@ -22,7 +22,7 @@ table() {
     table furnaces "The furnaces of \`test_scenes\`: each scene white all over, 64x48 pixels, 128 samples." \
         "| Scene | Mean, less 1 | Limit | Worst pixel, off by |"
     table z-tests "The z-tests of \`test_scenes\`: the default methods against the plainest ones, without the sun's disk, 48x36 pixels, 8 seeds of 64 samples." \
-        "| Scene | Means differ by | Limit | Mean z² | Expected | \\|z\\| > 4 | Expected |"
+        "| Scene | Means differ by | Limit | Mean z² | Expected | z beyond 4 | Expected |"
     table noise "The noise of \`test_noise\`, of 64 samples." \
         "| Scene | \`--sun-disk\` | Noise | Expected |"
     echo
