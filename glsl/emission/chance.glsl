@@ -1,3 +1,3 @@
-// A scene that does not say where its emitters are.
+// For a scene that does not name its emitters: only the bounces find them.
 #include "emission/met.glsl"
 #include "emission/unsought.glsl"

@@ -1,4 +1,4 @@
-// No material of the scene emits.
+// For a scene without a material that emits.
 #include "emission/unsought.glsl"
 
 vec3 emission_met(Hit hit, vec3 incoming, float share) {

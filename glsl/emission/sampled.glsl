@@ -1,8 +1,8 @@
-// Every hit sends a ray toward one of the spheres that the scene names as emitters (`emitter-sphere`), and its bounce may find the
-// same light. The two are weighed by multiple importance sampling with the balance heuristic (Veach 1997).
+// Every hit sends a ray toward one of the spheres that the scene names as emitters (`emitter-sphere`). Bounces may find the same
+// light, so the two are weighted by multiple importance sampling with the balance heuristic (Veach 1997).
 //
-// A sphere is a hint. Whatever emits in its directions is found, and what emits elsewhere is left to the bounces, so that a wrong hint
-// costs time and does not change the mean.
+// A sphere is a hint, and a wrong one costs time but does not change the mean: the ray finds whatever emits in its direction, and
+// what emits elsewhere is left to the bounces.
 #include "emission/met.glsl"
 #include "light/through.glsl"
 #include <emitter-spheres>

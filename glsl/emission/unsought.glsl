@@ -1,4 +1,4 @@
-// Nobody looks for what emits: the bounces find it or do not.
+// No rays are sent toward emitters. Only the bounces find them.
 #include "emission/ask.glsl"
 
 vec3 emission_direction(Hit hit, INOUT(Sequence) sequence) {

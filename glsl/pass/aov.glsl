@@ -1,6 +1,6 @@
 #version 330 core
-// What is seen behind a pixel, beside the light: albedo, normal and depth at the first hits of the picture's own camera rays. A group
-// of samples for each pixel, added to the sums so far.
+// The arbitrary output variables of a picture: albedo, normal and depth at the first hits of the camera rays. One draw adds a group
+// of samples for each pixel to the sums so far.
 #include "scene.glsl"
 #include <sequence>
 #include <inputs>
@@ -14,8 +14,10 @@
 uniform uint first_sample;
 uniform uint group_samples;
 uniform uint seed;
-uniform sampler2D aov_albedo; // in alpha the samples that hit something
-uniform sampler2D aov_normal; // in alpha the depth
+// Alpha holds the number of samples that hit something.
+uniform sampler2D aov_albedo;
+// Alpha holds the sum of the depths.
+uniform sampler2D aov_normal;
 
 layout(location = 0) out vec4 aov_albedo_next;
 layout(location = 1) out vec4 aov_normal_next;

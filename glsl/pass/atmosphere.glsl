@@ -1,4 +1,4 @@
-// What the host says of the atmosphere, for the sky methods that ask.
+// The atmosphere's values from the host, for the sky methods that need them.
 #include "pass/sun.glsl"
 #include "sky/atmosphere.glsl"
 

@@ -2,12 +2,16 @@
 #include "scene.glsl"
 
 uniform vec3 camera_eye;
-uniform vec3 camera_forward; // unit length
-uniform vec3 camera_right;   // to the picture's right edge at distance 1 ahead
-uniform vec3 camera_up;      // to its top edge
-uniform vec3 picture_size;   // width, height
+// A unit vector.
+uniform vec3 camera_forward;
+// Reaches from the picture's middle to its right edge, at distance 1.
+uniform vec3 camera_right;
+// Reaches from the picture's middle to its top edge, at distance 1.
+uniform vec3 camera_up;
+// Width and height in pixels.
+uniform vec3 picture_size;
 
-// Uniform in the pixel's area: a box filter.
+// Rays are uniform in the pixel's area, which is a box filter. `u` is in [0,1)^2.
 Ray camera_ray(vec2 pixel, vec2 u) {
     vec2 at = 2.0 * (pixel + u) / vec2(picture_size.x, picture_size.y) - 1.0;
     return Ray(camera_eye, normalize(camera_forward + at.x * camera_right - at.y * camera_up));

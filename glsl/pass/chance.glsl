@@ -1,4 +1,4 @@
-// A film that counts what is left to chance. See src/gl/film.h.
+// For a film that counts the sunlight that is left to chance, which a path finds only by luck. See src/gl/film.h.
 #include "pass/film.glsl"
 #include "sun/count.glsl"
 
@@ -6,7 +6,7 @@ uniform sampler2D film_chance_sum;
 
 layout(location = 4) out vec4 film_chance_next;
 
-// The materials are a set of bits and no sum. float holds them to the last.
+// The materials are a set of bits and not a sum. A float holds all bits exactly.
 void film_chance() {
     vec4 sum = texelFetch(film_chance_sum, ivec2(gl_FragCoord.xy), 0);
     int materials = int(sum.a) | chance_materials;

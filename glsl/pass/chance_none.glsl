@@ -1,3 +1,3 @@
-// A picture in which nothing is left to chance, or all of it.
+// For a picture in which no sunlight is left to chance, or all of it.
 void film_chance() {
 }

@@ -1,5 +1,5 @@
 #version 330 core
-// What the window shows of its films, drawn straight from their textures.
+// The window's picture, drawn straight from the textures of its films.
 #include <shown>
 
 layout(location = 0) out vec4 shown;

@@ -1,6 +1,7 @@
 #version 330 core
-// Irradiance of the unblocked sky over pi, for each normal: patches summed with their cosines. The sum is divided by the same sum of
-// a sky of radiance 1, which is pi but for the patches' coarseness: an even sky comes out exactly.
+// The irradiance of the unblocked sky divided by pi, for each normal: the sum of the patches' radiance, weighted with their
+// cosines. The sum is divided by the same sum for a sky of radiance 1. That would be pi if patches were infinitely small, and with
+// it a uniform sky comes out exactly.
 #include "light/irradiance.glsl"
 
 uniform sampler2D patch_lights;
@@ -23,7 +24,8 @@ void main() {
             vec3 direction = texelFetch(patch_directions, ivec2(column, row), 0).xyz;
             float level = normal.x * direction.x + normal.y * direction.y;
             float aside = normal.z * direction.z;
-            sum += light * (max(level + aside, 0.0) + max(level - aside, 0.0)); // both sides of the sun
+            // The patch on either side of the sun.
+            sum += light * (max(level + aside, 0.0) + max(level - aside, 0.0));
             column += 1;
         } while (column < patch_columns);
         row += 1;

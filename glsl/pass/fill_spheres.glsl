@@ -1,5 +1,5 @@
 #version 330 core
-// The spheres that a scene makes itself, one a texel.
+// The spheres that the scene's function scene_sphere() makes, one in each texel.
 #include "scene.glsl"
 #include <inputs>
 #include <scene>
@@ -7,7 +7,8 @@
 #include "pass/spheres.glsl"
 
 uniform int fill_count;
-uniform int fill_columns; // of the texture
+// The columns of the texture.
+uniform int fill_columns;
 
 layout(location = 0) out vec4 fill_sphere;
 

@@ -1,5 +1,5 @@
 #version 330 core
-// Fills the sky's table by a direct method: texel centres on the edges of the unit square.
+// Fills the sky's table by a direct method. The centres of the outer texels are on the edges of the unit square.
 #include <sums>
 #include "pass/sky_table_size.glsl"
 #include "sky/table.glsl"

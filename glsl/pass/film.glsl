@@ -1,30 +1,31 @@
-// The film's side of a pass: takes in one group of samples per pixel. See src/gl/film.h for what the textures hold.
+// The film's part of a pass: it adds one group of samples to each pixel. See src/gl/film.h for what the textures hold.
 uniform sampler2D film_sum;
 uniform sampler2D film_rest;
-uniform uint film_zero; // 0, which the compiler cannot know
+// It is 0, but the compiler cannot know that.
+uniform uint film_zero;
 
 layout(location = 0) out vec4 film_sum_next;
 layout(location = 1) out vec4 film_rest_next;
 
-// The same number, in a way that no compiler sees through: without it (a + b) - a may be simplified to b, and what an
-// addition rounded away would be lost.
+// Returns the same number in a way that a compiler cannot see through. Otherwise it might simplify (a + b) - a to b, and the amount
+// that an addition rounds away would be lost.
 vec3 film_opaque(vec3 v) {
     return uintBitsToFloat(floatBitsToUint(v) ^ uvec3(film_zero));
 }
 
-// How many samples the pixel has, with those that were rejected.
+// The number of the pixel's samples, including those that were rejected.
 uint film_samples() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     return uint(texelFetch(film_sum, pixel, 0).a + texelFetch(film_rest, pixel, 0).a);
 }
 
-// `group`: the radiance of the accepted samples summed, and in alpha their number.
+// `group` is the sum of the radiances of the accepted samples, and in alpha their number.
 void film_add(vec4 group, float rejected) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 sum = texelFetch(film_sum, pixel, 0);
     vec4 rest = texelFetch(film_rest, pixel, 0);
-    // Knuth's exact sum: next + lost is sum + group to the last bit. What was lost joins the rest, and the rest goes back
-    // into the sum as far as the sum has digits for it (Dekker's), or it would grow and lose digits itself.
+    // Knuth's exact sum: next + lost equals sum + group to the last bit. What was lost is added to the rest, and the rest goes back
+    // into the sum as far as the sum has digits for it (Dekker). Otherwise the rest would grow and lose digits itself.
     vec3 next = film_opaque(sum.rgb + group.rgb);
     vec3 added = film_opaque(next - sum.rgb);
     vec3 lost = (sum.rgb - film_opaque(next - added)) + (group.rgb - added);

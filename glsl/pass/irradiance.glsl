@@ -1,4 +1,4 @@
-// The unblocked sky's irradiance over pi on a surface that faces `normal`, looked up.
+// The unblocked sky's irradiance divided by pi on a surface that faces `normal`, from a table.
 #include "light/irradiance.glsl"
 #include "pass/sun.glsl"
 

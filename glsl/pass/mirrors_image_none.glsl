@@ -1,4 +1,4 @@
-// A scene that names no mirror spheres.
+// For a scene that names no mirror spheres.
 vec3 mirrors_image(vec2 pixel, uint index, uint seed) {
     return vec3(0.0);
 }

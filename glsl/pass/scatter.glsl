@@ -1,12 +1,12 @@
-// How the groups' means scatter, kept by a film that is to know its error. See src/gl/film.h for what it means.
+// The scatter of the groups' means, for a film that estimates its error. See src/gl/film.h for its definition.
 #include "pass/film.glsl"
 
 uniform sampler2D film_scatter_sum;
 
 layout(location = 2) out vec4 film_scatter_next;
 
-// Of the group that film_add() takes in next. Chan's update: what a group adds to the sum of n_g (m_g - m)^2 is known from its
-// mean and the mean before it, without the cancellation of squares that are summed. A group with no sample is none.
+// `group` is the one that film_add() adds next. This is Chan's update: what a group adds to the sum of n_g (m_g - m)^2 follows from
+// its mean and the mean before it, without the cancellation of sums of squares. A group without samples does not count.
 void film_scatter(vec4 group) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 sum = texelFetch(film_sum, pixel, 0);

@@ -1,3 +1,3 @@
-// A film that is not asked for its error.
+// For a film that does not estimate its error.
 void film_scatter(vec4 group) {
 }

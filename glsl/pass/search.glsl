@@ -1,4 +1,4 @@
-// A film that counts what the scene's searches took. See src/gl/film.h.
+// For a film that counts the steps of the scene's searches. See src/gl/film.h.
 #include "shape/search.glsl"
 
 uniform sampler2D film_search_sum;
@@ -10,9 +10,10 @@ void film_search() {
     film_search_next = texelFetch(film_search_sum, ivec2(gl_FragCoord.xy), 0) + group;
 }
 
-// Whether the driver has put an end to all loops, as llvmpipe does after 65,535 iterations, and without a word: a field may
-// have loops of its own, which nobody counted. A loop of eight turns tells: llvmpipe grants it one or two. The compiler must
-// not know that they are eight, and it knows uniforms in a loop's condition; nor that a loop ends as its condition says.
+// Whether the driver has ended all loops. llvmpipe does so after 65,535 iterations and reports nothing, and a field may have loops
+// of its own that nobody counted. The test is a loop of eight turns, of which llvmpipe then grants only one or two. The compiler
+// must not be able to compute the number of turns: neither from a uniform in the loop's condition, which it can see through, nor
+// from the condition after the loop.
 bool search_ended() {
     int wanted = 8 + min(search_rays, 0);
     int turns = 0;

@@ -1,4 +1,4 @@
-// A scene that searches for nothing by loops of its own.
+// For a scene that has no loops that search.
 void film_search() {
 }
 

@@ -1,6 +1,6 @@
 #version 330 core
-// A program written for Shadertoy, which defines mainImage(). iChannel0 is the picture before this one, iFrame counts them; the other
-// channels are black. Row 0 is the bottom, as there.
+// A program written for Shadertoy, which defines mainImage(). iChannel0 is the picture before this one, and the other channels are
+// black. iFrame is the picture's number. Row 0 is the bottom, as in Shadertoy.
 #include "pass/shadertoy_uniforms.glsl"
 #include <scene>
 

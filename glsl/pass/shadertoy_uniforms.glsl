@@ -1,12 +1,21 @@
-// What Shadertoy tells its programs.
-uniform vec3 iResolution;  // pixels, pixels, 1
-uniform float iTime;       // seconds
-uniform float iTimeDelta;  // since the frame before
-uniform float iFrameRate;  // frames a second
-uniform int iFrame;        // from 0
-uniform vec4 iMouse;       // xy: where the button is or was last down; zw: where it was pressed, negative when it is up
-uniform vec4 iDate;        // year, month from 0, day, seconds of the day
-uniform float iSampleRate; // 44100
+// Shadertoy's uniforms.
+
+// Width and height in pixels, and 1.
+uniform vec3 iResolution;
+// In seconds.
+uniform float iTime;
+// Seconds since the frame before.
+uniform float iTimeDelta;
+// Frames a second.
+uniform float iFrameRate;
+// The first frame is 0.
+uniform int iFrame;
+// xy is where the button is or was last down. zw is where it was pressed, negative when it is up.
+uniform vec4 iMouse;
+// Year, month from 0, day, and second of the day.
+uniform vec4 iDate;
+// It is 44100.
+uniform float iSampleRate;
 uniform float iChannelTime[4];
 uniform vec3 iChannelResolution[4];
 uniform sampler2D iChannel0;

@@ -1,9 +1,11 @@
-// How two films differ, by the mean over the channels: Moreland's diverging colours, red where a is brighter, blue where b is.
+// The difference of two films, as the mean over the channels, in Moreland's diverging colours: red where film a is brighter, blue
+// where film b is.
 #include "pass/shown_film.glsl"
 
 uniform sampler2D film_a;
 uniform sampler2D film_b;
-uniform float difference; // radiance at the ends of the colours
+// The radiance at the ends of the colours.
+uniform float difference;
 
 vec3 shown_color(vec2 pixel, vec2 window) {
     vec3 apart = film_radiance(film_a, pixel, window) - film_radiance(film_b, pixel, window);

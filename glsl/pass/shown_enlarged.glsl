@@ -1,4 +1,4 @@
-// A film of any size, interpolated.
+// A film of any size, interpolated to the window's size.
 #include "pass/shown_film.glsl"
 #include "pass/shown_tone.glsl"
 

@@ -1,4 +1,4 @@
-// The mean radiance that a film has at a pixel of the window, whatever the film's size; 0 where it has no sample.
+// The mean radiance that a film of any size has at a pixel of the window; 0 where the film has no sample.
 vec3 film_mean(sampler2D film, ivec2 at) {
     vec4 sum = texelFetch(film, at, 0);
     return sum.rgb / max(sum.a, 1.0);

@@ -1,4 +1,4 @@
-// A texture that is a picture already, its row 0 at the bottom.
+// A texture that is a picture already. Its row 0 is at the bottom.
 uniform sampler2D film_a;
 
 vec3 shown_color(vec2 pixel, vec2 window) {

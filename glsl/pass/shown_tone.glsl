@@ -1,14 +1,14 @@
-// From radiance to what a screen shows, exactly as src/image/png.c does for files.
+// Converts radiance to what a screen shows, exactly as src/image/png.c does for files.
 uniform float gain;
 
-// The author's curve, Narkowicz's fit of ACES. Negative and NaN become 0.
+// The author's tone curve, which is Narkowicz's fit of ACES. Negative values and NaN become 0.
 float tone(float x) {
     if (!(x > 0.0)) return 0.0;
     x = min(x, 1.0e6);
     return min(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1.0);
 }
 
-// IEC 61966-2-1.
+// As in IEC 61966-2-1.
 float srgb_from_linear(float v) {
     return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055;
 }
@@ -21,7 +21,7 @@ uint dither_hash(uint x) {
     return x ^ (x >> 16u);
 }
 
-// One of 256 steps, up as often as the fraction says.
+// Rounds to one of 256 steps: up with a probability that equals the fraction.
 float dither(float v, uint column, uint row, uint channel) {
     uint random = dither_hash(column + dither_hash(row + dither_hash(channel + 1u)));
     return min(floor(255.0 * v + float(random >> 8u) / 16777216.0), 255.0) / 255.0;

@@ -1,4 +1,4 @@
-// A sky method asked anew for each direction.
+// A sky method that is computed anew for each direction.
 #include <sums>
 
 vec3 sky_radiance(vec3 direction) {

@@ -1,5 +1,5 @@
 #version 330 core
-// The sky's radiance in listed directions, one a texel.
+// The sky's radiance in a list of directions, one in each texel.
 #include <sky>
 
 uniform sampler2D probe_directions;

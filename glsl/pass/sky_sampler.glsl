@@ -1,10 +1,13 @@
-// Directions in proportion to the sky's luminance, above the level. The sky's cells are cut into bins of the same
-// probability, in the order of Hilbert's curve over the sky, so that numbers spread evenly make directions spread evenly.
+// Samples directions above the horizontal in proportion to the sky's luminance. The sky's cells are cut into bins of equal
+// probability, in the order of Hilbert's curve over the sky. So numbers that are evenly spread give directions that are evenly
+// spread.
 #include "light/sky_cells.glsl"
 #include "pass/sun.glsl"
 
-uniform sampler2D sky_bins;       // by bin: its cell, that cell's first bin, how many it has
-uniform sampler2D sky_cell_share; // by cell: its share of the bins
+// For each bin its cell, that cell's first bin, and the number of the cell's bins.
+uniform sampler2D sky_bins;
+// For each cell its share of the bins.
+uniform sampler2D sky_cell_share;
 uniform vec3 sky_cells_count;
 uniform float sky_cells_horizon;
 
@@ -12,7 +15,7 @@ SkyCells sky_cells() {
     return SkyCells(sky_cells_count, sky_cells_horizon, sun_level);
 }
 
-// u.x chooses the side of the sun, the bin and the azimuth in its cell; u.y the elevation in it.
+// u.x chooses the side of the sun, the bin, and the azimuth in its cell. u.y chooses the elevation in the cell.
 vec3 sky_sample(vec2 u) {
     ivec2 size = textureSize(sky_bins, 0);
     float bins = float(size.x * size.y);
@@ -25,7 +28,7 @@ vec3 sky_sample(vec2 u) {
     return sky_cell_sample(sky_cells(), vec2(entry.x - row * sky_cells_count.x, row), vec2(across, u.y), side);
 }
 
-// Density of sky_sample() at a direction, 1/sr.
+// The density of sky_sample() at a direction, 1/sr.
 float sky_pdf(vec3 direction) {
     SkyCells cells = sky_cells();
     vec2 cell = floor(sky_cell_position(cells, direction));

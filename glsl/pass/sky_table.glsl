@@ -1,4 +1,4 @@
-// --sky table: the sums looked up, the phases applied. Above the horizon lies in the textures' first half of rows.
+// --sky table: looks up the sums and applies the phase functions. The first half of the textures' rows is above the horizon.
 #include "pass/atmosphere.glsl"
 #include "pass/sky_table_size.glsl"
 #include "sky/table.glsl"

@@ -1,4 +1,4 @@
-// A scene without many spheres.
+// For a scene without many spheres.
 vec4 spheres_texel(int i) {
     return vec4(0.0);
 }

@@ -1,9 +1,9 @@
 #version 330 core
-// Adds light to the film at the pixels that it reached. The textures hold one point a texel: where it falls, in pixels from the
-// picture's top left corner, and its light. Blending adds the points, in their order.
+// Adds light to the film at the pixels that it reached. The textures hold one point in each texel: its place, in pixels from the
+// picture's top left corner, and its light. Blending adds the points in their order.
 #include "math/finite.glsl"
 
-// Read by the vertex shader, which is part of the host (src/gl/program.c).
+// The vertex shader reads these. It is part of the host (src/gl/program.c).
 uniform sampler2D splat_places;
 uniform sampler2D splat_lights;
 uniform vec3 splat_size;

@@ -1,4 +1,4 @@
-// gauss:n
+// --sky gauss:n
 #include "pass/atmosphere.glsl"
 #include <absorber>
 #include <gauss-nodes>

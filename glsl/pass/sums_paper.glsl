@@ -1,4 +1,4 @@
-// paper:NxM
+// --sky paper:NxM
 #include "pass/atmosphere.glsl"
 #include <absorber>
 #include "sky/paper.glsl"

@@ -1,3 +1,6 @@
-// Where the sun stands.
-uniform vec3 sun_direction; // toward the sun, unit length
-uniform vec3 sun_level;     // toward the sun's azimuth, level, unit length
+// The sun's position.
+
+// Toward the sun, a unit vector.
+uniform vec3 sun_direction;
+// Toward the sun's azimuth, a horizontal unit vector.
+uniform vec3 sun_level;

@@ -1,18 +1,21 @@
-// The sun's own image in the picture: seen directly, and in the mirror spheres that the scene names. The image is as small as a pixel
-// or smaller and 1e5 times as bright as all else, so that finding it must not depend on luck. It is compiled into a program of its
-// own, which is drawn on the few pixels where the image may be.
+// The image of the sun's disk in the picture: seen directly, and in the mirror spheres that the scene names. The image is at most
+// as large as a pixel or so and 1e5 times as bright as all else, so finding it must not depend on luck. It is compiled into a
+// program of its own, which is drawn on the few pixels where the image may be.
 #include "light/through.glsl"
 #include "pass/camera.glsl"
 #include "pass/sun_disk.glsl"
 #include <mirrors-image>
 
-uniform sampler2D sun_image_cover; // mean radiance that the unblocked disk brings to each pixel of a rectangle
-uniform vec3 sun_image_corner;     // its first pixel
-uniform vec3 sun_image_heart;      // a point well inside of the visible disk, in pixels
+// The mean radiance that the unblocked disk gives each pixel of a rectangle.
+uniform sampler2D sun_image_cover;
+// The rectangle's first pixel.
+uniform vec3 sun_image_corner;
+// A point well inside of the visible disk, in pixels.
+uniform vec3 sun_image_heart;
 
-// The disk seen directly. What the pixel would see of the unblocked disk is known exactly. One point of the pixel, the nearest to the
-// disk's heart, guesses how much of it the scene lets through. Where a sample contradicts the guess, the difference is added. The
-// result is unbiased, and has no noise wherever the pixel's part of the disk is all open or all blocked.
+// The disk seen directly. The light that the unblocked disk gives the pixel is known exactly. One point of the pixel, the nearest
+// to the disk's heart, is a guess of how much of it the scene lets through. Where a sample contradicts the guess, the difference is
+// added. The result is unbiased, and it has no noise wherever the pixel's part of the disk is all open or all blocked.
 vec3 sun_image_direct(vec2 pixel, vec2 u) {
     ivec2 at = ivec2(pixel) - ivec2(sun_image_corner.xy);
     ivec2 size = textureSize(sun_image_cover, 0);

@@ -1,5 +1,5 @@
-// --sun-disk chance: the disk is found by the bounces alone. This is right for any scene and hopelessly noisy for a disk of the sun's
-// size. It is there to judge `sampled` by, with a larger disk.
+// --sun-disk chance: only the bounces find the disk. This is right for any scene and hopelessly noisy for a disk of the sun's size.
+// With a larger disk it is the reference for `sampled`.
 #include "sun/ask.glsl"
 #include "sun/disk.glsl"
 

@@ -1,10 +1,10 @@
-// What the paths of a pixel leave to chance, for a pass to read after its rays, and to tell the user.
+// What the paths of a pixel leave to chance. A pass adds it to the film after its rays.
 #include "math/dialect.glsl"
 
-// Materials that are told apart; what has a higher number counts as the last of them.
+// The number of materials that are counted separately. Materials with higher numbers count as the last of them.
 const int CHANCE_MATERIALS = 20;
 
-// Paths that left the scene on a ray whose sunlight is found by chance alone.
+// The number of paths that left the scene on a ray whose sunlight is left to chance.
 float chance_paths = 0.0;
 // The luminance that these paths are expected to bring from the sun.
 float chance_light = 0.0;

@@ -1,13 +1,13 @@
-// The sun's disk as the files beside this one ask for it. pass/sun_disk.glsl knows where it stands and how bright it is.
+// The sun's disk, as the files of this folder use it. pass/sun_disk.glsl defines its position and brightness.
 
-// Radiance along a direction; 0 off the disk and below the horizon.
+// The radiance along a direction. It is 0 off the disk and below the horizon.
 vec3 sun_radiance(vec3 direction);
 
 // A direction uniform in the disk, from u in [0,1)^2.
 vec3 sun_point(vec2 u);
 
-// The disk's, sr: one over the density of those directions.
+// The disk's solid angle, sr. It is one over the density of the directions of sun_point().
 float sun_solid_angle();
 
-// Radiance along a direction if the disk's light came evenly from a wide cone about it.
+// The radiance along a direction if the disk's irradiance came evenly from a wide cone around the disk.
 vec3 sun_spread(vec3 direction);

@@ -1,13 +1,13 @@
-// The sun by way of the mirror spheres that the scene names (`mirror-sphere`): the light that they throw on other surfaces.
+// The sunlight that mirror spheres reflect onto other surfaces, for the spheres that the scene names (`mirror-sphere`).
 //
-// A name is a hint, and wrong ones do no harm: the ray toward the reflection point must find a mirror there, on that sphere.
-// What is found this way and what mirrors_know() claims are the same light, so that it is counted once.
+// A name is a hint, and a wrong one does no harm: the ray toward the reflection point must hit a mirror on that sphere.
+// mirrors_know() is true for exactly the light that mirrors_reflect() adds, so that it is counted once.
 #include "light/through.glsl"
 #include "material/mirror.glsl"
 #include "sun/mirror_sphere.glsl"
 #include <mirror-spheres>
 
-// Which of the spheres a hit lies on, the first of several; -1 for none.
+// The number of the sphere on which a hit lies, the first if there are several; -1 if there is none.
 int mirror_sphere_at(Hit hit) {
     int at = -1;
     for (int i = MIRROR_SPHERES - 1; i >= 0; i--) {
@@ -20,19 +20,20 @@ int mirror_sphere_at(Hit hit) {
     return at;
 }
 
-// Whether the light that came this way from the sun by one reflection is what mirrors_reflect() seeks.
+// Whether mirrors_reflect() adds the light that comes from the sun by this one reflection.
 bool mirrors_know(Hit hit, Material material, vec3 incoming) {
     int i = mirror_sphere_at(hit);
     return i >= 0 && material.kind == MATERIAL_MIRROR && dot(hit.position - vec3(mirror_sphere(i)), incoming) < 0.0;
 }
 
-// Light from `toward` to `at`, in the world.
+// The reflection of light from the direction `toward` to the point `at`, in world coordinates.
 SphereReflection mirror_reflection(int i, vec3 at, vec3 toward) {
     vec4 sphere = mirror_sphere(i);
     return sphere_reflection((at - vec3(sphere)) / sphere.w, toward);
 }
 
-// What of that light comes to a ray toward the reflection point: the mirror's tint, or 0 where something is in the way.
+// The share of that light that reaches the point along a ray to the reflection point: the mirror's tint, or 0 if something is in
+// the way.
 vec3 mirror_tint(int i, Ray ray, vec3 toward) {
     Hit seen = surface_hit(ray);
     vec3 tint = vec3(0.0);
@@ -44,14 +45,14 @@ vec3 mirror_tint(int i, Ray ray, vec3 toward) {
     return tint;
 }
 
-// How much of a sphere's light to expect, for the choice among several.
+// The light to expect from a sphere, relative to the others, for the choice of one.
 float mirror_share(int i, vec3 at) {
     vec4 sphere = mirror_sphere(i);
     vec3 off = at - vec3(sphere);
     return sphere.w * sphere.w / max(dot(off, off), sphere.w * sphere.w);
 }
 
-// One sphere, drawn in proportion to its share of the sky, stands for all.
+// One sphere stands for all. It is chosen with a probability in proportion to mirror_share().
 vec3 mirrors_reflect(Hit hit, Material material, vec3 incoming, vec3 toward, vec3 irradiance, INOUT(Sequence) sequence) {
     int chosen = 0;
     float share = 1.0;

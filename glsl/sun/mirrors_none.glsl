@@ -1,4 +1,4 @@
-// A scene that names no mirror spheres.
+// For a scene that names no mirror spheres.
 #include "scene.glsl"
 
 vec3 mirrors_reflect(Hit hit, Material material, vec3 incoming, vec3 toward, vec3 irradiance, INOUT(Sequence) sequence) {

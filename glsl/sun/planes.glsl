@@ -1,22 +1,23 @@
-// The sun by way of the flat mirrors that the scene names (`mirror-plane`): of their reflections one after another, up to PLANE_CHAIN,
-// each has one direction in which it shows the disk, as large as it is.
+// The sunlight by way of flat mirrors, for those that the scene names (`mirror-plane`). Each chain of up to PLANE_CHAIN reflections
+// shows the disk in one direction and at its true size.
 //
-// A name is a hint, and wrong ones do no harm: the ray that goes there must meet just those mirrors and leave the scene. What is found
-// this way and what planes_know() claims are the same light, so that it is counted once.
+// A name is a hint, and a wrong one does no harm: the ray in that direction must hit exactly those mirrors and leave the scene.
+// planes_know() is true for exactly the light that planes_reflect() adds, so that it is counted once.
 #include "light/through.glsl"
 #include "material/mirror.glsl"
 #include <mirror-planes>
 
 const int PLANE_CHAIN = 4;
 
-// Which way a mirror faces; the opposite does as well.
+// The mirror's normal. The opposite one would serve as well.
 vec3 plane_normal(int i) {
-    vec2 angles = radians(mirror_plane(i)); // azimuth, elevation
+    // Azimuth and elevation.
+    vec2 angles = radians(mirror_plane(i));
     return vec3(cos(angles.y) * sin(angles.x), sin(angles.y), cos(angles.y) * cos(angles.x));
 }
 
-// Which of the mirrors a hit may lie on, the first of several that face the same way; -1 for none. Only the way that they face
-// counts, to a two-hundredth of the sun's radius.
+// The number of a mirror on which a hit may lie, the first if several face the same way; -1 if there is none. Only the normals are
+// compared, to a two-hundredth of the sun's radius.
 int plane_at(Hit hit) {
     int at = -1;
     for (int i = MIRROR_PLANES - 1; i >= 0; i--) {
@@ -30,7 +31,7 @@ bool planes_know(Hit hit, Material material) {
     return material.kind == MATERIAL_MIRROR && plane_at(hit) >= 0;
 }
 
-// The mirror at a place of the chain: u's digits to the base of their number.
+// The mirror at a place of the chain. The digits of u in a base of the number of mirrors choose the chain.
 int plane_of_chain(float u, int place) {
     float planes = float(MIRROR_PLANES);
     float digits = u;
@@ -38,12 +39,14 @@ int plane_of_chain(float u, int place) {
     return min(int(digits * planes), MIRROR_PLANES - 1);
 }
 
-// One chain of at most `mirrors`, drawn by halves for its length and evenly for its mirrors, stands for all.
+// One chain of at most `mirrors` reflections stands for all. One more reflection has a probability of one half, and each mirror is
+// as likely as the others.
 vec3 planes_reflect(Hit hit, Material material, vec3 incoming, vec3 toward, int mirrors, INOUT(Sequence) sequence) {
     vec2 u = sequence_pair(sequence);
     int most = min(mirrors, PLANE_CHAIN);
     int count = 1;
-    float share = 1.0 / float(MIRROR_PLANES); // the density of the chain
+    // The density of the chain.
+    float share = 1.0 / float(MIRROR_PLANES);
     float rest = u.x;
     for (int i = 1; i < PLANE_CHAIN; i++) {
         bool may = count == i && i < most;

@@ -1,4 +1,4 @@
-// A scene that names no flat mirrors.
+// For a scene that names no flat mirrors.
 #include "scene.glsl"
 
 const int PLANE_CHAIN = 0;

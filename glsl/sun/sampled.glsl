@@ -1,6 +1,6 @@
-// --sun-disk sampled: every hit sends rays to the disk, straight and by way of the mirror spheres and the flat mirrors that the scene
-// names. Sunlight that these rays cannot find, such as by way of a sphere and another mirror, is left to chance. How much that may be
-// is counted.
+// --sun-disk sampled: every hit sends rays to the disk, directly and by way of the mirror spheres and the flat mirrors that the
+// scene names. Sunlight that these rays cannot find, such as by way of a sphere and another mirror, is left to chance. How much
+// there may be of it is counted.
 #include "light/through.glsl"
 #include "math/finite.glsl"
 #include "sun/ask.glsl"
@@ -35,8 +35,8 @@ int sun_found(int found, Hit hit, Material material, vec3 incoming, Bounce bounc
     return reflections < PLANE_CHAIN && plane ? SUN_PLANES + reflections : SUN_CHANCE;
 }
 
-// A glossy surface throws sunlight too: its ray to the sun counts much, but only if the path came to one of the few points from which
-// the sun lies in the lobe. Behind a surface that scatters widely, that is left to chance.
+// A glossy surface leaves sunlight to chance too. Its ray to the sun brings much light, but only if the path came to one of the few
+// points from which the sun is in the lobe. After a surface that scatters widely, a path gets to such a point only by luck.
 SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
     SunState next = state;
     float throws = material_throws(material, bounce);
@@ -55,8 +55,9 @@ vec3 sun_escaped(SunState state, vec3 direction) {
     return state.found == SUN_CHANCE || state.found == SUN_SHOWN ? sun_radiance(direction) : vec3(0.0);
 }
 
-// How many paths find the sun itself tells nothing about light that few paths can find. So the sun is spread over a wide cone, with the
-// same irradiance: the light that the paths would bring from there is about the light that is left to chance, and needs no luck.
+// The number of paths that find the sun says nothing about light that few paths can find. So the sun is spread over a wide cone
+// with the same irradiance. The light that the paths would bring from there is about the light that is left to chance, and to count
+// it takes no luck.
 void sun_count(SunState state, vec3 throughput, vec3 direction) {
     if (state.chance > 0.0 && is_finite(throughput) && max(throughput.x, max(throughput.y, throughput.z)) > 0.0) {
         float light = state.chance * chance_luminance(throughput * sun_spread(direction));

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How long the picture counts as moving after a change; the drawing time of a frame while it moves, at rest. */
+/* How long the picture counts as moving after a change; drawing time of a frame in motion and at rest. */
 static const double moving_s = 0.15;
 static const double moving_budget_s = 0.02;
 static const double rest_budget_s = 0.03;
