@@ -39,7 +39,7 @@ LIBRARY := $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(LEFT_OUT),$(wildcard tests/test_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$(wildcard tests/*.c)))
 
-.PHONY: all tests demo test check check-slow check-all tests-table lint format deps man install uninstall clean compile_commands.json FORCE
+.PHONY: all tests demo test check check-slow check-all tests-table lint format deps man install uninstall clean compile_commands.json cmocka FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
@@ -57,6 +57,10 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	@echo compile $<
 	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
+
+$(TESTS:=.o): | cmocka
+cmocka:
+	@pkg-config --exists cmocka || tools/deps.sh --missing test
 
 # The window's overlay is the host's one part in C++.
 $(BUILD)/src/%.o: src/%.cpp $(BUILD)/flags
