@@ -134,25 +134,46 @@ static void test_fills(void **state) {
     context_close(&context);
 }
 
-/* Every program of a picture is listed, behind what it reads. */
+/* Every program of a picture is listed behind what it reads, and its text is made, without any OpenGL. */
 static void test_list(void **state) {
     (void)state;
-    support_run("",
-                "flatten scenes/crater.glsl --light control --sky table --sun-disk --all | grep '^// ===='");
-    static const char *const order[] = {
-        "// ==== the sky's table\n", "// ==== the sky's patches\n",          "// ==== the sky's irradiance\n",
-        "// ==== trace\n",           "// ==== trace with the sun's image\n", "// ==== layers\n"};
-    const char *at = support_out;
-    for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
-        const char *found = strstr(at, order[i]);
-        if (!found) fail_msg("not there, or not in its place: %s", order[i]);
-        at = found;
+    static const char *const names[] = {"the sky's table", "the sky's patches", "the sky's irradiance",
+                                        "trace",           "the sun's image",   "layers"};
+    enum { NAMES = sizeof names / sizeof *names };
+    Scene scene;
+    Plan plan;
+    Error error;
+    if (!scene_read(&scene, "scenes/crater.glsl", &error)) fail_msg("%s", error.text);
+    RenderParams params = {
+        .scene = &scene, .library = "glsl", .sky = "table", .light = "control", .sun_disk = "sampled"};
+    if (!plan_make(&plan, &params, NULL, &error)) fail_msg("%s", error.text);
+    PassList list = pass_list(&plan, &params);
+    assert_int_equal(list.count, NAMES);
+    for (int i = 0; i < NAMES; i++) {
+        GlslSource source;
+        assert_string_equal(list.passes[i].name, names[i]);
+        if (!pass_text(&list.passes[i], &plan, &params, &source, &error)) fail_msg("%s", error.text);
+        assert_non_null(strstr(text_string(&source.text), "void main() {"));
+        glsl_source_destroy(&source);
     }
+    scene_destroy(&scene);
+}
+
+/* The program prints them all, as text and as JSON lines. */
+static void test_flatten(void **state) {
+    (void)state;
+    assert_int_equal(support_run("", "flatten scenes/sky.glsl --sky gauss:4 --all"), 0);
+    assert_non_null(strstr(support_out, "// ==== trace\n#version 330"));
+    assert_int_equal(support_run("", "flatten scenes/sky.glsl --sky gauss:4 --json"), 0);
+    assert_non_null(
+        strstr(support_out, "{\"pass\": \"trace\", \"order\": 0, \"entry\": \"pass/trace.glsl\""));
+    assert_non_null(strstr(support_out, "\"uniform\": \"sun_direction\", \"type\": \"vec3\", "
+                                        "\"declared_in\": \"pass/sun.glsl\", \"values\": ["));
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_declarations),
                                        cmocka_unit_test(test_disagreement), cmocka_unit_test(test_fills),
-                                       cmocka_unit_test(test_list)};
+                                       cmocka_unit_test(test_list), cmocka_unit_test(test_flatten)};
     return cmocka_run_group_tests_name("passes", tests, support_folder, support_clean);
 }
