@@ -60,7 +60,7 @@ static Image draw(const Context *context, const char *name, const char *text, co
         fail_msg("%s", error.text);
     }
     /* The sun itself is behind the camera, and its image in the ball before it. */
-    assert_int_equal(renderer.image.count, 1);
+    assert_int_equal(renderer.image.where.count, 1);
     renderer_destroy(&renderer);
     scene_destroy(&scene);
     return image;

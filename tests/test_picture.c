@@ -383,11 +383,11 @@ static void test_image_of_broken_scene(void **state) {
                                               "Material scene_material(Hit hit) { return matte(tint()); }\n");
     RenderParams params = read_sunward(&scene, path, 0);
     if (!renderer_create(&other, &context, &params, &error)) fail_msg("%s", error.text);
-    assert_true(other.image.count > 0);
+    assert_true(other.image.where.count > 0);
     Image expected = take_picture(&other);
     scene_set_sun(&scene, scene.values.sun.elevation_deg, 180);
     if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
-    assert_int_equal(renderer.image.count, 0);
+    assert_int_equal(renderer.image.where.count, 0);
     scene_set_sun(&scene, scene.values.sun.elevation_deg, 0);
     support_write("tint.glsl", "vec3 tint() { return vec3(0.5, ); }\n");
     if (!renderer_restart(&renderer, &context, &params, &error)) fail_msg("%s", error.text);

@@ -1,6 +1,6 @@
 // The film's part of a pass: it adds one group of samples to each pixel. See src/gl/film.h for what the textures hold.
-uniform sampler2D film_sum;
-uniform sampler2D film_rest;
+#include "pass/film_samples.glsl"
+
 // It is 0, but the compiler cannot know that.
 uniform uint film_zero;
 
@@ -11,12 +11,6 @@ layout(location = 1) out vec4 film_rest_next;
 // that an addition rounds away would be lost.
 vec3 film_opaque(vec3 v) {
     return uintBitsToFloat(floatBitsToUint(v) ^ uvec3(film_zero));
-}
-
-// The number of the pixel's samples, including those that were rejected.
-uint film_samples() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    return uint(texelFetch(film_sum, pixel, 0).a + texelFetch(film_rest, pixel, 0).a);
 }
 
 // `group` is the sum of the radiances of the accepted samples, and in alpha their number.

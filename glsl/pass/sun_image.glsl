@@ -1,10 +1,23 @@
+#version 330 core
 // The image of the sun's disk in the picture: seen directly, and in the mirror spheres that the scene names. The image is at most
-// as large as a pixel or so and 1e5 times as bright as all else, so finding it must not depend on luck. It is compiled into a
-// program of its own, which is drawn on the few pixels where the image may be.
+// as large as a pixel or so and 1e5 times as bright as all else, so finding it must not depend on luck. This pass is drawn before
+// each group of samples, on the few pixels where the image may be, and writes the image's radiance summed over the group.
+#include "scene.glsl"
+#include <sequence>
+#include <inputs>
+#include <scene>
+#include <spheres>
+#include <materials>
+#include "light/lambert.glsl"
 #include "light/through.glsl"
+#include "math/finite.glsl"
 #include "pass/camera.glsl"
+#include "pass/film_samples.glsl"
 #include "pass/sun_disk.glsl"
 #include <mirrors-image>
+
+uniform uint group_samples;
+uniform uint seed;
 
 // The mean radiance that the unblocked disk gives each pixel of a rectangle.
 uniform sampler2D sun_image_cover;
@@ -28,8 +41,18 @@ vec3 sun_image_direct(vec2 pixel, vec2 u) {
     return guess * cover + (seen - guess) * sun_radiance(ray.direction);
 }
 
-// The image's radiance in one sample of the pixel.
-vec3 sun_image(uvec2 pixel, uint index, uint seed) {
-    Sequence sequence = sequence_start(pixel.x, pixel.y, index, seed ^ 0x5bd1e995u);
-    return sun_image_direct(vec2(pixel), sequence_pair(sequence)) + mirrors_image(vec2(pixel), index, seed);
+layout(location = 0) out vec4 sun_image_group;
+
+void main() {
+    uvec2 pixel = uvec2(gl_FragCoord.xy);
+    uint first_sample = film_samples();
+    vec3 group = vec3(0.0);
+    uint i = 0u;
+    do {
+        Sequence sequence = sequence_start(pixel.x, pixel.y, first_sample + i, seed ^ 0x5bd1e995u);
+        vec3 image = sun_image_direct(vec2(pixel), sequence_pair(sequence)) + mirrors_image(vec2(pixel), first_sample + i, seed);
+        group += is_finite(image) ? image : vec3(0.0);
+        i += 1u;
+    } while (i < group_samples);
+    sun_image_group = vec4(group, 0.0);
 }

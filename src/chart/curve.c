@@ -44,7 +44,7 @@ bool curve_open(Curve *curve, const Combination *combination, const Context *con
     if (!renderer_create(&curve->renderer, context, &mine, error)) return false;
     curve->open = true;
     curve->adaptive = combination->adaptive;
-    curve->trimmed = curve->renderer.image.count > 0;
+    curve->trimmed = curve->renderer.image.where.count > 0;
     name(&curve->renderer, combination->adaptive, &curve->row);
     if (is_whole(ledger, &curve->row)) {
         curve_close(curve);

@@ -147,7 +147,7 @@ static bool compare(WorthBase *base, const Term *term, const Variation *variatio
         time_both(base, renderer, &other, stop, error);
     if (ok && !(stop && stop())) {
         bool on = worth->state == TERM_ON;
-        bool trim = base->renderer.image.count || renderer->image.count;
+        bool trim = base->renderer.image.where.count || renderer->image.where.count;
         double ratio = sample_seconds(&base->stopwatch, &base->renderer) / sample_seconds(&other, renderer);
         double noise = noise_of(base->pictures) / noise_of(pictures);
         worth->cost_percent = 100 * ((on ? ratio : 1 / ratio) - 1);

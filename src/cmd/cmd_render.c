@@ -121,7 +121,7 @@ static bool render(RenderJob *job, Error *error) {
     Progress progress = progress_start(options);
     double pixels = (double)job->renderer.film.width * job->renderer.film.height;
     double bias = known_bias(job), start = clock_seconds();
-    job->adaptive = adaptive_create(&job->renderer, job->renderer.image.count ? NOISE_SUN_TRIM : 0);
+    job->adaptive = adaptive_create(&job->renderer, job->renderer.image.where.count ? NOISE_SUN_TRIM : 0);
     figures->target_samples = options->samples;
     figures->target_seconds = options->seconds;
     figures->target_error_percent = wanted_error(options);

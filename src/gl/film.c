@@ -65,6 +65,11 @@ void film_begin(Film *film, const Program *program) {
     program_set_uint(program, "film_zero", 0);
 }
 
+void film_give(const Film *film, const Program *program) {
+    program_set_texture(program, "film_sum", film->target.textures[film->target.front][SUM]);
+    program_set_texture(program, "film_rest", film->target.textures[film->target.front][REST]);
+}
+
 void film_keep(Film *film, const Rectangle *regions, int count) {
     target_keep(&film->target, regions, count);
 }

@@ -88,6 +88,9 @@ void film_reset(Film *film);
  * must be in use. Any number of draws may follow, each on rows of its own. */
 void film_begin(Film *film, const Program *program);
 
+/* Gives a program the textures that pass/film_samples.glsl reads. */
+void film_give(const Film *film, const Program *program);
+
 /* Call this before a pass that does not draw every pixel. It copies `regions` from the front to the back, so
  * that pixels which the pass skips keep their value. Before the first such pass the regions are the whole
  * picture; later, those that the pass before drew and this one will not. */

@@ -7,6 +7,8 @@
 #include "sky/sky_sampler.h"
 #include "sky/sun.h"
 
+#include <string.h>
+
 /* The mirrors come first, because drawn_mirrors_ask() fills them before all other tables. The spheres come
  * next, because only they can be refused: then no other table has been changed. */
 const ResourceKind *const picture_tables[] = {
@@ -14,7 +16,7 @@ const ResourceKind *const picture_tables[] = {
     &sky_irradiance, &sky_sampler,   &sun_table,     &sun_cover,    NULL};
 
 const Pass trace_pass = {.name = "trace", .entry = "pass/trace.glsl"};
-const Pass sun_image_pass = {.name = "trace with the sun's image", .entry = "pass/trace.glsl", .image = true};
+const Pass sun_image_pass = {.name = "the sun's image", .entry = "pass/sun_image.glsl"};
 const Pass aov_pass_entry = {.name = "layers", .entry = "pass/aov.glsl"};
 
 PassList pass_list(const Plan *plan, const RenderParams *params) {
@@ -25,8 +27,8 @@ PassList pass_list(const Plan *plan, const RenderParams *params) {
         if (!(*kind)->entry || !resource_is_needed(*kind, picture_tables, &frame)) continue;
         list.passes[list.count++] = (Pass){.name = (*kind)->name, .entry = (*kind)->entry, .fills = *kind};
     }
-    list.passes[list.count++] = trace_pass;
     if (plan->sun.method->draws_image) list.passes[list.count++] = sun_image_pass;
+    list.passes[list.count++] = trace_pass;
     list.passes[list.count++] = aov_pass_entry;
     return list;
 }
@@ -64,7 +66,7 @@ bool pass_text(const Pass *pass, const Plan *plan, const RenderParams *params, G
                Error *error) {
     SlotList slots = {0};
     sky_slots(&slots, &plan->sky, &params->scene->values.atmosphere);
-    sun_slots(&slots, &plan->sun, params->scene, pass->image);
+    sun_slots(&slots, &plan->sun, params->scene);
     scene_slots(&slots, plan, params->scene);
     slot_file(&slots, "sequence", plan->sequence.method->file);
     slot_file(&slots, "light", plan->light.method->file);
@@ -74,6 +76,16 @@ bool pass_text(const Pass *pass, const Plan *plan, const RenderParams *params, G
     bool ok = glsl_source_create(source, params->scene->file->sources, pass->entry, slots.slots, error);
     slot_list_free(&slots);
     return ok;
+}
+
+bool pass_compile(Program *program, const GlApi *gl, const GlslSource *source, const RenderParams *params,
+                  Error *error) {
+    if (program_create(program, gl, source, error)) return true;
+    /* If the scene's text ends too early, the compiler reports the error in the library's text behind it. */
+    const SceneFile *file = params->scene->file;
+    if (strncmp(error->text, file->sources->folder, strlen(file->sources->folder)) == 0)
+        error_prefix(error, "%s: ", file->path);
+    return false;
 }
 
 bool pass_trace_text(const RenderParams *params, GlslSource *source, Error *error) {
@@ -97,6 +109,8 @@ void frame_uniforms(const Frame *frame, const Plan *plan, unsigned seed, Uniform
     uniforms_declared_in(uniforms, "pass/trace.glsl");
     uniforms_uint(uniforms, "seed", seed);
     uniforms_int(uniforms, "max_hits", plan->max_hits);
+    uniforms_declared_in(uniforms, "pass/sun_image.glsl");
+    uniforms_uint(uniforms, "seed", seed);
     uniforms_declared_in(uniforms, "pass/aov.glsl");
     uniforms_uint(uniforms, "seed", seed);
 }

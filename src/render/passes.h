@@ -18,8 +18,6 @@ typedef struct Pass {
     const char *entry;
     /* The table that it fills; NULL for a pass that draws into the film or into layers. */
     const ResourceKind *fills;
-    /* Whether it draws the image of the sun's disk. */
-    bool image;
 } Pass;
 
 enum { MOST_PASSES = MOST_RESOURCES + 3 };
@@ -38,6 +36,10 @@ PassList pass_list(const Plan *plan, const RenderParams *params);
 /* Makes the text of a pass. */
 MUST_CHECK bool pass_text(const Pass *pass, const Plan *plan, const RenderParams *params, GlslSource *source,
                           Error *error);
+
+/* Compiles a pass's text. An error that the driver places in the library is told as the scene's too. */
+MUST_CHECK bool pass_compile(Program *program, const GlApi *gl, const GlslSource *source,
+                             const RenderParams *params, Error *error);
 
 /* Makes the text of the program that traces the paths, without a plan. */
 MUST_CHECK bool pass_trace_text(const RenderParams *params, GlslSource *source, Error *error);

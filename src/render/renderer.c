@@ -7,33 +7,15 @@
 #include <math.h>
 #include <string.h>
 
-static bool compile(Program *program, const Context *context, const GlslSource *source,
-                    const RenderParams *params, Error *error) {
-    if (program_create(program, &context->gl, source, error)) return true;
-    /* If the scene's text ends too early, the compiler reports the error in the library's text behind it. */
-    const SceneFile *file = params->scene->file;
-    if (strncmp(error->text, file->sources->folder, strlen(file->sources->folder)) == 0)
-        error_prefix(error, "%s: ", file->path);
-    return false;
-}
-
 static bool create_program(Renderer *renderer, const Context *context, const RenderParams *params,
                            Error *error) {
     GlslSource source = {0};
     bool ok = pass_text(&trace_pass, &renderer->plan, params, &source, error) &&
-              compile(&renderer->program, context, &source, params, error);
+              pass_compile(&renderer->program, &context->gl, &source, params, error);
     for (int i = 0; i < source.file_count; i++)
         text_print(&renderer->source_files, "%s%s", i ? " " : "", source.files[i]);
     glsl_source_destroy(&source);
-    return ok && (!renderer->plan.sun.method->draws_image ||
-                  pass_text(&sun_image_pass, &renderer->plan, params, &renderer->image_source, error));
-}
-
-/* Compiles the program for the sun's image when the first picture needs it. */
-static bool serve_image(Renderer *renderer, const Context *context, const SunImage *image,
-                        const RenderParams *params, Error *error) {
-    return !image->count || renderer->image_program.id ||
-           compile(&renderer->image_program, context, &renderer->image_source, params, error);
+    return ok;
 }
 
 /* The data of text() for resources_create(). */
@@ -70,29 +52,30 @@ static bool set_up(Renderer *renderer, const Frame *frame, Error *error) {
     bool ok = resources_prepare(&renderer->tables, frame, &uniforms, error);
     if (ok) {
         give(renderer, &renderer->program, &uniforms);
-        give(renderer, &renderer->image_program, &uniforms);
+        give(renderer, &renderer->image.program, &uniforms);
     }
     uniforms_free(&uniforms);
     return ok && gl_check(renderer->gl, "setting up the pass", error);
 }
 
-static void begin(Renderer *renderer, const Program *program, unsigned group) {
+static void begin(Renderer *renderer, unsigned group) {
+    const Program *program = &renderer->program;
     program_use(program);
     program_set_uint(program, "group_samples", group);
     if (program_declares(program, "iFrame"))
         program_set_int(program, "iFrame", (int)(renderer->film.samples / renderer->plan.group_samples));
+    if (renderer->image.gl) program_set_texture(program, "sun_image_sums", renderer->image.texture);
     film_begin(&renderer->film, program);
 }
 
 /* Draws one pixel that no film takes in, because drivers compile a program when it first draws. */
 static bool warm_up(Renderer *renderer, Error *error) {
-    const Program *programs[] = {&renderer->program, &renderer->image_program};
-    for (int i = 0; i < 2; i++) {
-        if (!programs[i]->id) continue;
-        begin(renderer, programs[i], 1);
-        if (!program_check(programs[i], error)) return false;
-        program_draw(programs[i], 0, 0, 1, 1);
-    }
+    SunImage image = renderer->image.where;
+    image_pass_draw(&renderer->image, &renderer->film, image.rectangles, image.count ? 1 : 0, 1);
+    if (image.count && !program_check(&renderer->image.program, error)) return false;
+    begin(renderer, 1);
+    if (!program_check(&renderer->program, error)) return false;
+    program_draw(&renderer->program, 0, 0, 1, 1);
     renderer->gl->Finish();
     return gl_check(renderer->gl, "drawing a first pixel", error);
 }
@@ -129,14 +112,19 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
     int width = plan_width(params), height = plan_height(params);
     Camera camera = camera_of(params->scene, width, height);
     Frame frame = frame_of(&renderer->plan, params->scene, &camera);
+    SunImage image;
     follow(renderer, &frame);
-    return create_program(renderer, context, params, error) &&
-           film_create(&renderer->film, context, width, height,
-                       film_parts(&renderer->plan, renderer->variance), error) &&
-           create_tables(renderer, context, params, &frame, error) &&
-           find_image(renderer, &frame, &renderer->image, error) &&
-           serve_image(renderer, context, &renderer->image, params, error) &&
-           set_up(renderer, &frame, error) && warm_up(renderer, error);
+    if (!create_program(renderer, context, params, error) ||
+        !film_create(&renderer->film, context, width, height, film_parts(&renderer->plan, renderer->variance),
+                     error) ||
+        !create_tables(renderer, context, params, &frame, error) ||
+        !image_pass_create(&renderer->image, context, &renderer->plan, error) ||
+        !find_image(renderer, &frame, &image, error) ||
+        !image_pass_compile(&renderer->image, &image, &renderer->plan, params, error)) {
+        return false;
+    }
+    image_pass_begin(&renderer->image, &image, width, height);
+    return set_up(renderer, &frame, error) && warm_up(renderer, error);
 }
 
 bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
@@ -204,14 +192,15 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
     SunImage image;
     if (!create_next_film(renderer, context, &camera, &next, error) ||
         !find_image(renderer, &frame, &image, error) ||
-        !serve_image(renderer, context, &image, params, error) || !set_up(renderer, &frame, error)) {
+        !image_pass_compile(&renderer->image, &image, &plan, params, error) ||
+        !set_up(renderer, &frame, error)) {
         film_destroy(&next);
         renderer->plan = before;
         renderer->seed = seed;
         return false;
     }
     follow(renderer, &frame);
-    renderer->image = image;
+    image_pass_begin(&renderer->image, &image, width, height);
     clear_film(renderer, &next);
     renderer->pixels_per_second *= (double)renderer->group / plan.group_samples;
     renderer->group = plan.group_samples;
@@ -223,37 +212,17 @@ void renderer_destroy(Renderer *renderer) {
     resources_destroy(&renderer->tables);
     film_destroy(&renderer->film);
     program_destroy(&renderer->program);
-    program_destroy(&renderer->image_program);
-    glsl_source_destroy(&renderer->image_source);
+    image_pass_destroy(&renderer->image);
     text_free(&renderer->source_files);
     *renderer = (Renderer){0};
-}
-
-static int largest(int a, int b) {
-    return a > b ? a : b;
-}
-
-/* Draws the pixels of the regions that may hold the sun's image once more, now with the image. */
-static void draw_sun_image(Renderer *renderer, const Rectangle *regions, int count, unsigned group) {
-    if (!renderer->image.count) return;
-    begin(renderer, &renderer->image_program, group);
-    for (int i = 0; i < renderer->image.count * count; i++) {
-        const Rectangle *a = &renderer->image.rectangles[i / count], *b = &regions[i % count];
-        int x = largest(a->x, b->x), y = largest(a->y, b->y);
-        int right = -largest(-a->x - a->width, -b->x - b->width);
-        int bottom = -largest(-a->y - a->height, -b->y - b->height);
-        if (right > x && bottom > y) program_draw(&renderer->image_program, x, y, right - x, bottom - y);
-    }
-    renderer->gl->Finish();
 }
 
 /* Returns false if it was stopped. */
 static bool draw_group(Renderer *renderer, const Rectangle *regions, int count, unsigned group,
                        bool (*stop)(void)) {
-    begin(renderer, &renderer->program, group);
-    if (!strips_draw(&renderer->program, regions, count, &renderer->pixels_per_second, stop)) return false;
-    draw_sun_image(renderer, regions, count, group);
-    return true;
+    image_pass_draw(&renderer->image, &renderer->film, regions, count, group);
+    begin(renderer, group);
+    return strips_draw(&renderer->program, regions, count, &renderer->pixels_per_second, stop);
 }
 
 bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error) {
@@ -284,11 +253,11 @@ bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, bool
             samples < renderer->plan.group_samples ? (unsigned)samples : renderer->plan.group_samples;
         renderer->pixels_per_second *= (double)last / renderer->group;
     }
-    begin(renderer, &renderer->program, renderer->group);
+    if (renderer->row == 0) image_pass_draw(&renderer->image, film, &all, 1, renderer->group);
+    begin(renderer, renderer->group);
     strips_draw_for(&renderer->program, film->width, film->height, &renderer->row,
                     &renderer->pixels_per_second, seconds, stop);
     if (renderer->row == film->height) {
-        draw_sun_image(renderer, &all, 1, renderer->group);
         film_commit(film, renderer->group);
         renderer->row = 0;
     }

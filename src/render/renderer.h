@@ -7,8 +7,7 @@
 
 #include "gl/camera.h"
 #include "gl/film.h"
-#include "render/passes.h"
-#include "sky/sun.h"
+#include "render/image_pass.h"
 
 typedef struct Renderer {
     const GlApi *gl;
@@ -22,15 +21,11 @@ typedef struct Renderer {
      * leaves only some of it to luck, film_read_chance() measures how much. */
     bool sun_by_chance;
     Program program;
-    /* The program that also draws the sun's image, for the pixels that may hold it. It is empty until a
-     * picture has such pixels. Its text is made together with that of `program`, because the files may change
-     * in between. */
-    Program image_program;
-    GlslSource image_source;
     Resources tables;
     Film film;
     Camera camera;
-    SunImage image;
+    /* The pass that draws the sun's own image. */
+    ImagePass image;
     /* Measured for groups of samples; it sets the size of the draws. */
     double pixels_per_second;
     /* For renderer_advance(): the size of the group in progress, 0 if there is none, and its first row that

@@ -23,9 +23,8 @@ typedef struct SunImage {
  * set. */
 MUST_CHECK bool sun_choose(MethodChoice *choice, const char *text, const Scene *scene, Error *error);
 
-/* Fills <sun>, <sun-image>, <mirrors>, <mirrors-image> and <planes>. `image` is for the program that draws
- * the disk's image. */
-void sun_slots(SlotList *slots, const MethodChoice *choice, const Scene *scene, bool image);
+/* Fills <sun>, <sun-image>, <mirrors>, <mirrors-image> and <planes>. */
+void sun_slots(SlotList *slots, const MethodChoice *choice, const Scene *scene);
 
 /* The pixels of this frame that may hold the disk's image; none if the method does not draw it. */
 SunImage sun_image(const Frame *frame);

@@ -1,0 +1,71 @@
+#include "render/image_pass.h"
+
+#include "gl/texture.h"
+
+static const float nothing[4] = {0};
+
+bool image_pass_create(ImagePass *pass, const Context *context, const Plan *plan, Error *error) {
+    const GlApi *gl = &context->gl;
+    *pass = (ImagePass){0};
+    if (!plan->sun.method->draws_image) return true;
+    *pass = (ImagePass){.gl = gl, .width = 1, .height = 1};
+    pass->texture = texture_create(gl, 1, 1, GL_NEAREST, nothing);
+    gl->GenFramebuffers(1, &pass->framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, pass->texture, 0);
+    return gl_check(gl, "the sun's image", error);
+}
+
+void image_pass_destroy(ImagePass *pass) {
+    if (!pass->gl) return;
+    pass->gl->DeleteFramebuffers(1, &pass->framebuffer);
+    pass->gl->DeleteTextures(1, &pass->texture);
+    program_destroy(&pass->program);
+    *pass = (ImagePass){0};
+}
+
+bool image_pass_compile(ImagePass *pass, const SunImage *image, const Plan *plan, const RenderParams *params,
+                        Error *error) {
+    GlslSource source = {0};
+    if (!image->count || pass->program.id) return true;
+    bool ok = pass_text(&sun_image_pass, plan, params, &source, error) &&
+              pass_compile(&pass->program, pass->gl, &source, params, error);
+    glsl_source_destroy(&source);
+    return ok;
+}
+
+void image_pass_begin(ImagePass *pass, const SunImage *image, int width, int height) {
+    if (!pass->gl) return;
+    pass->where = *image;
+    if (!image->count) width = height = 1;
+    if (width != pass->width || height != pass->height)
+        texture_resize(pass->gl, pass->texture, width, height, NULL);
+    pass->width = width;
+    pass->height = height;
+    pass->gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
+    pass->gl->ClearBufferfv(GL_COLOR, 0, nothing);
+}
+
+static int largest(int a, int b) {
+    return a > b ? a : b;
+}
+
+static void draw_both(const Program *program, const Rectangle *a, const Rectangle *b) {
+    int x = largest(a->x, b->x), y = largest(a->y, b->y);
+    int right = -largest(-a->x - a->width, -b->x - b->width);
+    int bottom = -largest(-a->y - a->height, -b->y - b->height);
+    if (right > x && bottom > y) program_draw(program, x, y, right - x, bottom - y);
+}
+
+void image_pass_draw(const ImagePass *pass, const Film *film, const Rectangle *regions, int count,
+                     unsigned group) {
+    const Program *program = &pass->program;
+    if (!pass->where.count) return;
+    program_use(program);
+    program_set_uint(program, "group_samples", group);
+    film_give(film, program);
+    pass->gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
+    pass->gl->Viewport(0, 0, pass->width, pass->height);
+    for (int i = 0; i < pass->where.count * count; i++)
+        draw_both(program, &pass->where.rectangles[i / count], &regions[i % count]);
+}
