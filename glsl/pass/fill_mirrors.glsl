@@ -1,5 +1,5 @@
 #version 330 core
-// The mirror spheres that a scene defines, one a texel: the host has to know where the sun's image may be.
+// The mirror spheres that a scene defines, one in each texel. The host reads them to find the pixels that may hold the sun's image.
 #include "scene.glsl"
 #include <inputs>
 #include <scene>

@@ -15,7 +15,7 @@ typedef struct Camera {
 
 Camera camera_of(const Scene *scene, int width, int height);
 
-/* What pass/camera.glsl is told. */
+/* Adds the uniforms of pass/camera.glsl. */
 void camera_uniforms(const Camera *camera, Uniforms *uniforms);
 
 /* Sets `out` to the place of a direction in the picture, in pixels from the top left corner. Returns false if

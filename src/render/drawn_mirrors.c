@@ -13,7 +13,7 @@ static void size(const void *frame, int *width, int *height) {
     *height = 1;
 }
 
-/* The scene's parameters, its time and its mouse. */
+/* Appends the scene's parameters, its time and its mouse. */
 static void key(const void *frame, Text *bytes) {
     const SceneValues *values = &((const Frame *)frame)->scene->values;
     text_append(bytes, values->parameters, sizeof values->parameters);

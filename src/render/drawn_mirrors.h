@@ -1,15 +1,15 @@
-/* The numbers of mirror spheres that a scene defines in GLSL: drawn by a small program and read back, for the
- * host has to know where in the picture they may show the sun. */
+/* The mirror spheres that a scene defines in GLSL. A small program draws their numbers and the host reads
+ * them back, because it must find the pixels in which they may show the sun. */
 #pragma once
 
 #include "gl/resource.h"
 #include "sky/frame.h"
 
-/* One sphere a texel. Wanted only where the sun's image is drawn and the scene defines mirror_sphere(). */
+/* One sphere in each texel. It is filled only if the picture shows the sun's image and the scene defines
+ * mirror_sphere(). */
 extern const ResourceKind drawn_mirrors;
 
-/* Draws them for this frame, if the frame wants them, and gives them to it: `spheres` is what frame->mirrors
- * then points to. `tables` has drawn_mirrors first, and `uniforms` holds what the frame tells all programs.
- */
+/* Draws and reads the spheres if the frame needs them. `spheres` receives them, and frame->mirrors then
+ * points to it. drawn_mirrors must be the first of `tables`, and `uniforms` holds the frame's uniforms. */
 MUST_CHECK bool drawn_mirrors_ask(const Resources *tables, Frame *frame, Uniforms *uniforms,
                                   double spheres[MOST_HINTS][4], Error *error);

@@ -52,7 +52,7 @@ static long hit_iterations(const Plan *plan, const Scene *scene) {
         rays += info->rays;
         loops += info->loops + (long)info->loops_each * count;
     }
-    /* A bounce toward an emitter asks for the bounds once more. */
+    /* A bounce toward an emitter loops over the bounds once more. */
     if (looks_for(plan, HINT_BOUND) && looks_for(plan, HINT_EMITTER_SPHERE) &&
         scene_hint_count(scene, HINT_EMITTER_SPHERE))
         loops += scene_hint_count(scene, HINT_BOUND);

@@ -19,8 +19,8 @@ typedef struct Frame {
     /* These are NULL if there is only a sky and no scene. */
     const MethodChoice *light, *sun_disk;
     const Scene *scene;
-    /* The scene's mirror spheres where it defines them in GLSL (render/drawn_mirrors.h); NULL where they are
-     * annotated, and where nobody asks. */
+    /* The scene's mirror spheres if it defines them in GLSL (render/drawn_mirrors.h). NULL if they are
+     * annotated, or if the picture does not need them. */
     const double (*mirrors)[4];
     Camera camera;
 } Frame;
