@@ -1,7 +1,7 @@
 // The film's part of a pass: it adds one group of samples to each pixel. See src/gl/film.h for what the textures hold.
 #include "pass/film_samples.glsl"
 
-// It is 0, but the compiler cannot know that.
+// It is 0, but the compiler cannot see that.
 uniform uint film_zero;
 
 layout(location = 0) out vec4 film_sum_next;

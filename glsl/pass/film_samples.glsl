@@ -2,7 +2,7 @@
 uniform sampler2D film_sum;
 uniform sampler2D film_rest;
 
-// How many samples the pixel has, with those that were rejected.
+// The number of the pixel's samples, including those that were rejected.
 uint film_samples() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     return uint(texelFetch(film_sum, pixel, 0).a + texelFetch(film_rest, pixel, 0).a);

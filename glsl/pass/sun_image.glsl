@@ -1,7 +1,7 @@
 #version 330 core
-// The image of the sun's disk in the picture: seen directly, and in the mirror spheres that the scene names. The image is at most
-// as large as a pixel or so and 1e5 times as bright as all else, so finding it must not depend on luck. This pass is drawn before
-// each group of samples, on the few pixels where the image may be, and writes the image's radiance summed over the group.
+// The image of the sun's disk in the picture: seen directly, and in the mirror spheres that the scene names. The image is about as
+// large as a pixel or smaller, and 1e5 times as bright as all else, so finding it must not depend on luck. This pass is drawn
+// before each group of samples, on the few pixels where the image may be, and writes the image's radiance summed over the group.
 #include "scene.glsl"
 #include <sequence>
 #include <inputs>

@@ -1,7 +1,7 @@
-// The sun's own image, which a pass of its own has drawn (pass/sun_image.glsl).
+// The image of the sun's disk, which another pass has drawn (pass/sun_image.glsl).
 uniform sampler2D sun_image_sums;
 
-// Its radiance in this pixel, summed over the samples of the group.
+// The image's radiance in this pixel, summed over the samples of the group.
 vec3 sun_image_sum() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 size = textureSize(sun_image_sums, 0);

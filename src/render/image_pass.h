@@ -18,15 +18,15 @@ typedef struct ImagePass {
     SunImage where;
 } ImagePass;
 
-/* For a plan whose method draws the image; an empty struct for all others. */
+/* Creates the pass if the plan's method draws the image; else `pass` is an empty struct. */
 MUST_CHECK bool image_pass_create(ImagePass *pass, const Context *context, const Plan *plan, Error *error);
 void image_pass_destroy(ImagePass *pass);
 
-/* Compiles the program if this picture is the first that holds the image. STATUS_SCENE for GLSL errors. */
+/* Compiles the program if this picture is the first that holds the image. Errors in GLSL are STATUS_SCENE. */
 MUST_CHECK bool image_pass_compile(ImagePass *pass, const SunImage *image, const Plan *plan,
                                    const RenderParams *params, Error *error);
 
-/* Begins a picture of this size. All sums are zero. */
+/* Begins a picture of this size with all sums zero. */
 void image_pass_begin(ImagePass *pass, const SunImage *image, int width, int height);
 
 /* Draws the sums of the group that `film` takes in next, for the pixels of these regions. The framebuffer

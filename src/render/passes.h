@@ -37,7 +37,8 @@ PassList pass_list(const Plan *plan, const RenderParams *params);
 MUST_CHECK bool pass_text(const Pass *pass, const Plan *plan, const RenderParams *params, GlslSource *source,
                           Error *error);
 
-/* Compiles a pass's text. An error that the driver places in the library is told as the scene's too. */
+/* Compiles a pass's text. If the driver reports an error in the library's files, the message names the scene
+ * too. */
 MUST_CHECK bool pass_compile(Program *program, const GlApi *gl, const GlslSource *source,
                              const RenderParams *params, Error *error);
 
