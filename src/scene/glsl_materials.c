@@ -28,7 +28,7 @@ static bool is_identifier(const char *name) {
     return true;
 }
 
-bool glsl_material_number(GlslSource *source, const char *path, Error *error) {
+bool glsl_materials_add(GlslMaterials *materials, const char *path, Text *text, Error *error) {
     char *name = material_name(path);
     if (!name) return true;
     if (!is_identifier(name)) {
@@ -40,58 +40,56 @@ bool glsl_material_number(GlslSource *source, const char *path, Error *error) {
         free(name);
         return false;
     }
-    text_print(&source->text, "const int MATERIAL_");
-    for (const char *c = name; *c; c++) text_print(&source->text, "%c", toupper((unsigned char)*c));
-    text_print(&source->text, " = %d;\n", source->material_count);
-    source->materials =
-        memory_grow(source->materials, (size_t)source->material_count + 1, sizeof *source->materials);
-    source->materials[source->material_count++] = name;
+    text_print(text, "const int MATERIAL_");
+    for (const char *c = name; *c; c++) text_print(text, "%c", toupper((unsigned char)*c));
+    text_print(text, " = %d;\n", materials->count);
+    materials->names = memory_grow(materials->names, (size_t)materials->count + 1, sizeof *materials->names);
+    materials->names[materials->count++] = name;
     return true;
 }
 
 /* One function for all materials: a call of the right one by the material's kind. */
-static void generate_dispatch(GlslSource *source, const char *type, const char *verb, const char *parameters,
-                              const char *arguments, const char *nothing) {
-    Text *text = &source->text;
+static void generate_dispatch(const GlslMaterials *materials, Text *text, const char *type, const char *verb,
+                              const char *parameters, const char *arguments, const char *nothing) {
     text_print(text, "%s material_%s(Material material, vec3 normal, vec3 incoming, %s) {\n", type, verb,
                parameters);
-    for (int i = 0; i < source->material_count; i++) {
-        if (i + 1 < source->material_count) text_print(text, "    if (material.kind == %d)\n    ", i);
-        text_print(text, "    return %s_%s(material, normal, incoming, %s);\n", source->materials[i], verb,
+    for (int i = 0; i < materials->count; i++) {
+        if (i + 1 < materials->count) text_print(text, "    if (material.kind == %d)\n    ", i);
+        text_print(text, "    return %s_%s(material, normal, incoming, %s);\n", materials->names[i], verb,
                    arguments);
     }
-    if (!source->material_count) text_print(text, "    return %s;\n", nothing);
+    if (!materials->count) text_print(text, "    return %s;\n", nothing);
     text_print(text, "}\n");
 }
 
-static bool emits(const GlslSource *source, const GlslScan *scan, int material) {
+static bool emits(const GlslMaterials *materials, const GlslScan *scan, int material) {
     Text function = {0};
-    text_print(&function, "%s_emitted", source->materials[material]);
+    text_print(&function, "%s_emitted", materials->names[material]);
     bool defined = glsl_scan_defines(scan, text_string(&function));
     text_free(&function);
     return defined;
 }
 
-bool glsl_materials_emit(const GlslSource *source) {
-    GlslScan scan = glsl_scan(text_string(&source->text));
+bool glsl_materials_emit(const GlslMaterials *materials, const char *text) {
+    GlslScan scan = glsl_scan(text);
     bool found = false;
-    for (int i = 0; i < source->material_count; i++) found = found || emits(source, &scan, i);
+    for (int i = 0; i < materials->count; i++) found = found || emits(materials, &scan, i);
     glsl_scan_free(&scan);
     return found;
 }
 
 /* Only some materials emit, and only they need a function for it. */
-static void generate_emitted(GlslSource *source) {
+static void generate_emitted(const GlslMaterials *materials, Text *text) {
     Text calls = {0};
-    GlslScan scan = glsl_scan(text_string(&source->text));
-    for (int i = 0; i < source->material_count; i++) {
-        if (emits(source, &scan, i))
+    GlslScan scan = glsl_scan(text_string(text));
+    for (int i = 0; i < materials->count; i++) {
+        if (emits(materials, &scan, i))
             text_print(&calls,
                        "    if (material.kind == %d) return %s_emitted(material, normal, incoming);\n", i,
-                       source->materials[i]);
+                       materials->names[i]);
     }
     if (calls.size) {
-        text_print(&source->text,
+        text_print(text,
                    "vec3 material_emitted(Material material, vec3 normal, vec3 incoming) {\n%s"
                    "    return vec3(0.0);\n}\n",
                    text_string(&calls));
@@ -100,12 +98,12 @@ static void generate_emitted(GlslSource *source) {
     text_free(&calls);
 }
 
-bool glsl_materials_throw(const GlslSource *source) {
-    GlslScan scan = glsl_scan(text_string(&source->text));
+bool glsl_materials_throw(const GlslMaterials *materials, const char *text) {
+    GlslScan scan = glsl_scan(text);
     bool found = false;
-    for (int i = 0; i < source->material_count && !found; i++) {
+    for (int i = 0; i < materials->count && !found; i++) {
         Text constant = {0};
-        text_print(&constant, "%s_THROWS", source->materials[i]);
+        text_print(&constant, "%s_THROWS", materials->names[i]);
         for (size_t k = 0; k < constant.size; k++)
             constant.data[k] = (char)toupper((unsigned char)constant.data[k]);
         found = !glsl_scan_declares(&scan, "bool", text_string(&constant));
@@ -117,13 +115,12 @@ bool glsl_materials_throw(const GlslSource *source) {
 
 /* A material whose directions are not all alike tells itself how much it throws; one without a density, which
  * has one direction alone, throws all. */
-static void generate_throws(GlslSource *source) {
-    Text *text = &source->text;
+static void generate_throws(const GlslMaterials *materials, Text *text) {
     GlslScan scan = glsl_scan(text_string(text));
     text_print(text, "float material_throws(Material material, Bounce bounce) {\n");
-    for (int i = 0; i < source->material_count; i++) {
+    for (int i = 0; i < materials->count; i++) {
         Text function = {0};
-        text_print(&function, "%s_throws", source->materials[i]);
+        text_print(&function, "%s_throws", materials->names[i]);
         if (glsl_scan_defines(&scan, text_string(&function)))
             text_print(text, "    if (material.kind == %d) return %s(material);\n", i,
                        text_string(&function));
@@ -133,11 +130,17 @@ static void generate_throws(GlslSource *source) {
     glsl_scan_free(&scan);
 }
 
-void glsl_materials_write(GlslSource *source) {
-    generate_dispatch(source, "Bounce", "sample", "vec2 u, vec2 v", "u, v",
+void glsl_materials_write(const GlslMaterials *materials, Text *text) {
+    generate_dispatch(materials, text, "Bounce", "sample", "vec2 u, vec2 v", "u, v",
                       "Bounce(normal, vec3(0.0), 0.0, false)");
-    generate_dispatch(source, "float", "pdf", "vec3 outgoing", "outgoing", "0.0");
-    generate_dispatch(source, "vec3", "value", "vec3 outgoing", "outgoing", "vec3(0.0)");
-    generate_emitted(source);
-    generate_throws(source);
+    generate_dispatch(materials, text, "float", "pdf", "vec3 outgoing", "outgoing", "0.0");
+    generate_dispatch(materials, text, "vec3", "value", "vec3 outgoing", "outgoing", "vec3(0.0)");
+    generate_emitted(materials, text);
+    generate_throws(materials, text);
+}
+
+void glsl_materials_free(GlslMaterials *materials) {
+    for (int i = 0; i < materials->count; i++) free(materials->names[i]);
+    free(materials->names);
+    *materials = (GlslMaterials){0};
 }

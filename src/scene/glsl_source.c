@@ -4,7 +4,6 @@
 #include "base/memory.h"
 #include "scene/glsl_blocks.h"
 #include "scene/glsl_find.h"
-#include "scene/glsl_materials.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -55,7 +54,7 @@ static bool fill_slot(Flattener *flattener, const GlslSlot *slot, const Place *p
 static bool include_slot(Flattener *flattener, const char *name, const Place *place, Error *error) {
     if (strcmp(name, "materials") == 0) {
         text_print(&flattener->source->text, "#line 1 %d\n", add_file(flattener, "<materials>", NULL));
-        glsl_materials_write(flattener->source);
+        glsl_materials_write(&flattener->source->materials, &flattener->source->text);
         return true;
     }
     for (const GlslSlot *slot = flattener->slots; slot && slot->name; slot++) {
@@ -133,7 +132,8 @@ static bool include_file(Flattener *flattener, const Found *found, const Place *
     }
     int number = add_file(flattener, file->path, file);
     Place first = {file->path, 1};
-    if (!glsl_material_number(source, file->path, error)) return fail_at(place ? place : &first, error);
+    if (!glsl_materials_add(&source->materials, file->path, &source->text, error))
+        return fail_at(place ? place : &first, error);
     if (strncmp(text_string(&file->text), "#version", 8) != 0)
         text_print(&source->text, "#line 1 %d\n", number);
     return flatten_lines(flattener, found, file, number, error);
@@ -154,9 +154,8 @@ bool glsl_source_create(GlslSource *source, SourceStore *store, const char *entr
 
 void glsl_source_destroy(GlslSource *source) {
     for (int i = 0; i < source->file_count; i++) free(source->files[i]);
-    for (int i = 0; i < source->material_count; i++) free(source->materials[i]);
     free(source->files);
-    free(source->materials);
+    glsl_materials_free(&source->materials);
     text_free(&source->text);
     *source = (GlslSource){0};
 }

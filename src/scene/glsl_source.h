@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "scene/glsl_materials.h"
 #include "scene/source_store.h"
 
 typedef struct GlslSlot {
@@ -29,9 +30,7 @@ typedef struct GlslSource {
     /* By source-string number; the first is the entry file. */
     char **files;
     int file_count;
-    /* Names in order of inclusion: "matte". */
-    char **materials;
-    int material_count;
+    GlslMaterials materials;
 } GlslSource;
 
 /* Flattens `entry` (a path as in GlslSlot, the user's own where there are no slots). `slots` ends with a NULL

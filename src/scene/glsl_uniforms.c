@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const char keyword[] = "uniform";
+
 static bool is_word(char c) {
     return isalnum((unsigned char)c) || c == '_';
 }
@@ -80,7 +82,7 @@ GlslUniforms glsl_uniforms(const char *text) {
         }
         char word[16];
         at = take_word(at, word, sizeof word);
-        if (strcmp(word, "uniform") == 0) at = take_declaration(at, file, &uniforms);
+        if (strcmp(word, keyword) == 0) at = take_declaration(at, file, &uniforms);
     }
     return uniforms;
 }

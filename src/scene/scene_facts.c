@@ -47,16 +47,16 @@ SceneFacts scene_facts(const GlslSource *source) {
                         .searches = glsl_source_includes(source, "shape/search.glsl"),
                         .march_calls = glsl_scan_calls(&scan, "march"),
                         .hit_spheres_calls = glsl_scan_calls(&scan, "hit_spheres"),
-                        .emits = glsl_materials_emit(source),
-                        .throws = glsl_materials_throw(source),
+                        .emits = glsl_materials_emit(&source->materials, text_string(&source->text)),
+                        .throws = glsl_materials_throw(&source->materials, text_string(&source->text)),
                         .has_glass = glsl_source_includes(source, "material/glass.glsl"),
                         .has_rough_metal = glsl_source_includes(source, "material/rough_metal.glsl"),
                         .has_author = glsl_source_includes(source, "material/author.glsl")};
     find_inputs(&scan, &facts);
     glsl_scan_free(&scan);
-    facts.materials = memory_get((size_t)source->material_count, sizeof *facts.materials);
-    facts.material_count = source->material_count;
-    for (int i = 0; i < source->material_count; i++) facts.materials[i] = strdup(source->materials[i]);
+    facts.materials = memory_get((size_t)source->materials.count, sizeof *facts.materials);
+    facts.material_count = source->materials.count;
+    for (int i = 0; i < source->materials.count; i++) facts.materials[i] = strdup(source->materials.names[i]);
     return facts;
 }
 
