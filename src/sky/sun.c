@@ -18,7 +18,8 @@ void sun_slots(SlotList *slots, const MethodChoice *choice, const Scene *scene) 
     bool mirrors = scene_hint_count(scene, HINT_MIRROR_SPHERE) > 0;
     bool planes = scene_hint_count(scene, HINT_MIRROR_PLANE) > 0;
     slot_file(slots, "sun", choice->method->file);
-    slot_file(slots, "sun-image", choice->method->draws_image ? "pass/sun_image_sum.glsl" : "pass/sun_image_sum_none.glsl");
+    slot_file(slots, "sun-image",
+              choice->method->draws_image ? "pass/sun_image_sum.glsl" : "pass/sun_image_sum_none.glsl");
     slot_file(slots, "mirrors", mirrors ? "sun/mirrors.glsl" : "sun/mirrors_none.glsl");
     slot_file(slots, "mirrors-image", mirrors ? "pass/mirrors_image.glsl" : "pass/mirrors_image_none.glsl");
     slot_file(slots, "planes", planes ? "sun/planes.glsl" : "sun/planes_none.glsl");

@@ -149,7 +149,8 @@ static bool estimate(Pane *pane, Error *error) {
     Image mean;
     FilmCount count;
     if (!noise->tiles)
-        *noise = noise_create(film->width, film->height, pane->renderer.image.where.count ? NOISE_SUN_TRIM : 0);
+        *noise =
+            noise_create(film->width, film->height, pane->renderer.image.where.count ? NOISE_SUN_TRIM : 0);
     for (int i = 0; i < noise->columns * noise->rows; i++) noise->tiles[i].samples = film->samples;
     if (!(film->samples & (film->samples - 1))) {
         if (!film_read(film, &mean, &count, error)) return false;
