@@ -1,6 +1,7 @@
 // A sky method that is computed anew for each direction.
 #include <sums>
+#include "pass/sky_light.glsl"
 
 vec3 sky_radiance(vec3 direction) {
-    return sky_shade(atmosphere, sky_sums(direction), direction, sun_direction);
+    return sky_light(sky_sums(direction), direction);
 }

@@ -1,5 +1,5 @@
 // --sky table: looks up the sums and applies the phase functions. The first half of the textures' rows is above the horizon.
-#include "pass/atmosphere.glsl"
+#include "pass/sky_light.glsl"
 #include "pass/sky_table_size.glsl"
 #include "sky/table.glsl"
 
@@ -12,5 +12,5 @@ vec3 sky_radiance(vec3 direction) {
                       position.y * (sky_table_size.y - 1.0) + 0.5 + position.z * sky_table_size.y);
     vec2 at = texel / vec2(sky_table_size.x, 2.0 * sky_table_size.y);
     SkySums sums = SkySums(fourth_power(texture(sky_table_rayleigh, at).rgb), fourth_power(texture(sky_table_mie, at).rgb));
-    return sky_shade(atmosphere, sums, direction, sun_direction);
+    return sky_light(sums, direction);
 }
