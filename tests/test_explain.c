@@ -39,7 +39,7 @@ static void test_crater(void **state) {
     expect_row("low-discrepancy sequence", "   needed");
     expect_row("material: ", "matte mirror, not author");
     expect_row("  shape: ", "plane_minus_sphere sphere, not box");
-    expect_row("  sun: ", "ask image_none off, not chance");
+    expect_row("  sun: ", "ask off, not chance");
 }
 
 static void test_furnace(void **state) {
