@@ -10,7 +10,6 @@
 #include "light/walk.glsl"
 #include "math/cone.glsl"
 #include "math/finite.glsl"
-#include "sun/ask.glsl"
 
 vec3 sky_irradiance_over_pi(vec3 normal);
 
@@ -78,7 +77,9 @@ Bounce blocker_bounce(Bounce bounce, vec3 position, vec3 normal, BlockerChoice c
 
 // What the path remembers about its first hit on level ground. Looking the sky up is left to path_finish().
 struct PathMemory {
-    // The number of that hit, counted from 1; 0 as long as there was none.
+    // Whether there was one. The crater takes 8 % longer where `hit` alone tells.
+    bool controlled;
+    // The number of that hit, counted from 1.
     int hit;
     vec3 normal;
     // The known light there, over the open sky's irradiance.
@@ -90,14 +91,15 @@ struct PathMemory {
 
 PathMemory path_start() {
     vec3 up = vec3(0.0, 1.0, 0.0);
-    return PathMemory(0, up, vec3(0.0), vec3(0.0), up);
+    return PathMemory(false, 0, up, vec3(0.0), vec3(0.0), up);
 }
 
 Bounce path_bounce(INOUT(PathMemory) memory, Path path, Hit hit, Material material, vec2 u, vec2 v) {
-    bool level = hit.normal.y >= LEVEL_GROUND && memory.hit == 0;
+    bool level = hit.normal.y >= LEVEL_GROUND && !memory.controlled;
     BlockerChoice choice = blocker_choice(hit.position, hit.normal, u);
     Bounce bounce = material_sample(material, hit.normal, path.ray.direction, level ? choice.u : u, v);
     if (level && bounce.lambert) {
+        memory.controlled = true;
         memory.hit = path.hits + 1;
         memory.normal = hit.normal;
         memory.known = path.throughput * bounce.weight;
@@ -118,17 +120,16 @@ void path_after(INOUT(PathMemory) memory, Path path, bool alive) {
 }
 
 // If the bounce from the level ground escapes at once, what it brings and what it takes off are the same, and the known light is all.
-vec3 path_finish(PathMemory memory, Path path) {
-    bool controlled = memory.hit > 0;
-    bool open = path.escaped && controlled && path.hits == memory.hit;
+vec3 path_finish(PathMemory memory, Path path, vec3 disk) {
+    bool open = path.escaped && memory.controlled && path.hits == memory.hit;
     vec3 known = memory.known * sky_irradiance_over_pi(memory.normal);
     vec3 brought = path.throughput * sky_radiance(path.ray.direction);
     vec3 taken = memory.control * sky_radiance(memory.direction);
     vec3 sky = known;
     if (path.escaped || !is_finite(brought)) sky += brought;
-    if (controlled) sky -= taken;
-    vec3 disk = path.escaped ? path.throughput * sun_escaped(path.sun, path.ray.direction) : vec3(0.0);
-    return path.gathered + (open ? known : sky) + disk;
+    if (memory.controlled) sky -= taken;
+    vec3 sun = path.escaped ? path.throughput * disk : vec3(0.0);
+    return path.gathered + (open ? known : sky) + sun;
 }
 
 #include "light/path.glsl"

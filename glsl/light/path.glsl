@@ -37,6 +37,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             path_after(memory, path, alive);
         }
     } while (alive);
-    if (path.escaped) sun_count(path.sun, path.throughput, path.ray.direction);
-    return path_finish(memory, path);
+    vec3 disk = sun_escaped(path.sun, path.ray.direction);
+    if (path.escaped) sun_count(path.sun, path.throughput, path.ray.direction, disk);
+    return path_finish(memory, path, disk);
 }

@@ -8,8 +8,8 @@ Material scene_material(Hit hit);
 Bounce material_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v);
 float material_pdf(Material material, vec3 normal, vec3 incoming, vec3 outgoing);
 vec3 material_value(Material material, vec3 normal, vec3 incoming, vec3 outgoing);
-// The share of the light that a bounce carries which the material throws: in one direction, as a mirror does, or in a narrow lobe.
-float material_throws(Material material, Bounce bounce);
+// The share of the light that a material throws in narrow lobes, if its bounces have a density. One without throws all in one direction.
+float material_throws(Material material);
 vec3 sky_radiance(vec3 direction);
 
 // The nearest hit, with its position and its normal toward the ray's origin; t is INFINITY where there is none.

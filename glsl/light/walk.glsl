@@ -30,6 +30,6 @@ struct Path {
 //         The density, 1/sr, with which the path_bounce() just called takes a direction.
 //     void path_after(INOUT(PathMemory) memory, Path path, bool alive)
 //         Called when the bounce is done: `path` is at the start of its next ray, or was ended by Russian roulette.
-//     vec3 path_finish(PathMemory memory, Path path)
-//         The radiance of the whole path: what it gathered, and what the sky and the sun's disk bring. It is called after the loop,
+//     vec3 path_finish(PathMemory memory, Path path, vec3 disk)
+//         The radiance of the whole path: what it gathered, and what the sky and the sun's disk, of radiance `disk`, bring. It is called after the loop,
 //         where neighbouring pixels look the sky up together.

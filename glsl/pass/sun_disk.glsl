@@ -33,13 +33,17 @@ float sun_solid_angle() {
 }
 
 // The half-angle is 20 degrees: wide enough for some of a few thousand paths to meet the cone, and so narrow that a mirror which throws
-// no sunlight into the scene seldom throws the cone's. Of a low sun's cone, the part below the horizon is left out.
-const float SUN_SPREAD_COS = 0.9397;
-const float SUN_SPREAD_SIN = 0.342;
+// no sunlight into the scene seldom throws the cone's.
+const float SUN_NEAR_COS = 0.9397;
+const float SUN_NEAR_SIN = 0.342;
 
-vec3 sun_spread(vec3 direction) {
-    float above = clamp(0.5 + 0.5 * sun_disk_middle.y / SUN_SPREAD_SIN, 0.1, 1.0);
-    float solid_angle = 2.0 * PI * (1.0 - SUN_SPREAD_COS) * above;
+bool sun_is_near(vec3 direction) {
+    return dot(direction, sun_disk_middle) > SUN_NEAR_COS;
+}
+
+// The radiance of the cone if the disk's light came evenly from it. Of a low sun's cone, the part below the horizon is left out.
+vec3 sun_spread() {
+    float above = clamp(0.5 + 0.5 * sun_disk_middle.y / SUN_NEAR_SIN, 0.1, 1.0);
     vec3 irradiance = sun_solid_angle() * textureLod(sun_disk_table, vec2(0.7, 0.5), 0.0).rgb;
-    return dot(direction, sun_disk_middle) > SUN_SPREAD_COS ? irradiance / solid_angle : vec3(0.0);
+    return irradiance / (2.0 * PI * (1.0 - SUN_NEAR_COS) * above);
 }

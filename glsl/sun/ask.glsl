@@ -49,5 +49,5 @@ SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incom
 // The radiance of the disk to a ray that leaves the scene.
 vec3 sun_escaped(SunState state, vec3 direction);
 
-// Counts a path that has left the scene, if its sunlight was left to chance.
-void sun_count(SunState state, vec3 throughput, vec3 direction);
+// Counts a path that has left the scene, if its sunlight was left to chance. `disk` is the radiance of the disk that it met.
+void sun_count(SunState state, vec3 throughput, vec3 direction, vec3 disk);

@@ -15,5 +15,5 @@ vec3 sun_escaped(SunState state, vec3 direction) {
     return sun_radiance(direction);
 }
 
-void sun_count(SunState state, vec3 throughput, vec3 direction) {
+void sun_count(SunState state, vec3 throughput, vec3 direction, vec3 disk) {
 }

@@ -6,13 +6,9 @@ const int CHANCE_MATERIALS = 20;
 
 // The number of paths that left the scene on a ray whose sunlight is left to chance.
 float chance_paths = 0.0;
-// The luminance that these paths are expected to bring from the sun.
-float chance_light = 0.0;
-// The luminance that they did bring.
-float chance_found = 0.0;
+// What those of them that met the cone about the sun bring of its radiance.
+vec3 chance_near = vec3(0.0);
+// The radiance of the sun that these paths brought.
+vec3 chance_found = vec3(0.0);
 // A bit for each material that threw some of that light.
 int chance_materials = 0;
-
-float chance_luminance(vec3 radiance) {
-    return dot(radiance, vec3(0.2126, 0.7152, 0.0722));
-}

@@ -9,5 +9,5 @@ vec3 sun_point(vec2 u);
 // The disk's solid angle, sr. It is one over the density of the directions of sun_point().
 float sun_solid_angle();
 
-// The radiance along a direction if the disk's irradiance came evenly from a wide cone around the disk.
-vec3 sun_spread(vec3 direction);
+// Whether a direction is in the wide cone around the disk that stands for the disk where light is left to chance.
+bool sun_is_near(vec3 direction);

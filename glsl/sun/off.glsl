@@ -13,5 +13,5 @@ vec3 sun_escaped(SunState state, vec3 direction) {
     return vec3(0.0);
 }
 
-void sun_count(SunState state, vec3 throughput, vec3 direction) {
+void sun_count(SunState state, vec3 throughput, vec3 direction, vec3 disk) {
 }

@@ -2,7 +2,6 @@
 // scene names. Sunlight that these rays cannot find, such as by way of a sphere and another mirror, is left to chance. How much
 // there may be of it is counted.
 #include "light/through.glsl"
-#include "math/finite.glsl"
 #include "sun/ask.glsl"
 #include "sun/count.glsl"
 #include "sun/disk.glsl"
@@ -39,15 +38,15 @@ int sun_found(int found, Hit hit, Material material, vec3 incoming, Bounce bounc
 // points from which the sun is in the lobe. After a surface that scatters widely, a path gets to such a point only by luck.
 SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
     SunState next = state;
-    float throws = material_throws(material, bounce);
     next.found = sun_found(state.found, hit, material, incoming, bounce);
     if (bounce.pdf > 0.0) {
+        float throws = material_throws(material);
         next.chance = state.scattered ? throws : 0.0;
         next.scattered = state.scattered || throws < 1.0;
     } else {
         next.chance = next.found == SUN_CHANCE ? 1.0 : state.chance;
     }
-    next.thrower = next.chance > state.chance || bounce.pdf > 0.0 ? material.kind : state.thrower;
+    next.thrower = bounce.pdf > 0.0 || next.found == SUN_CHANCE ? material.kind : state.thrower;
     return next;
 }
 
@@ -58,12 +57,11 @@ vec3 sun_escaped(SunState state, vec3 direction) {
 // The number of paths that find the sun says nothing about light that few paths can find. So the sun is spread over a wide cone
 // with the same irradiance. The light that the paths would bring from there is about the light that is left to chance, and to count
 // it takes no luck.
-void sun_count(SunState state, vec3 throughput, vec3 direction) {
-    if (state.chance > 0.0 && is_finite(throughput) && max(throughput.x, max(throughput.y, throughput.z)) > 0.0) {
-        float light = state.chance * chance_luminance(throughput * sun_spread(direction));
-        chance_paths += 1.0;
-        chance_light += light;
-        chance_found += chance_luminance(throughput * sun_escaped(state, direction));
-        chance_materials |= light > 0.0 ? 1 << min(state.thrower, CHANCE_MATERIALS - 1) : 0;
-    }
+void sun_count(SunState state, vec3 throughput, vec3 direction, vec3 disk) {
+    bool counts = state.chance > 0.0;
+    bool near = counts && sun_is_near(direction);
+    chance_paths += counts ? 1.0 : 0.0;
+    chance_near += near ? state.chance * throughput : vec3(0.0);
+    chance_found += counts ? throughput * disk : vec3(0.0);
+    chance_materials |= near ? 1 << min(state.thrower, CHANCE_MATERIALS - 1) : 0;
 }

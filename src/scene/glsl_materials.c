@@ -113,11 +113,11 @@ bool glsl_materials_throw(const GlslMaterials *materials, const char *text) {
     return found;
 }
 
-/* A material whose directions are not all alike tells itself how much it throws; one without a density, which
- * has one direction alone, throws all. */
+/* Materials with narrow lobes tell how much light they throw. The others throw none, or their bounces have no
+ * density and throw all. */
 static void generate_throws(const GlslMaterials *materials, Text *text) {
     GlslScan scan = glsl_scan(text_string(text));
-    text_print(text, "float material_throws(Material material, Bounce bounce) {\n");
+    text_print(text, "float material_throws(Material material) {\n");
     for (int i = 0; i < materials->count; i++) {
         Text function = {0};
         text_print(&function, "%s_throws", materials->names[i]);
@@ -126,7 +126,7 @@ static void generate_throws(const GlslMaterials *materials, Text *text) {
                        text_string(&function));
         text_free(&function);
     }
-    text_print(text, "    return bounce.pdf > 0.0 ? 0.0 : 1.0;\n}\n");
+    text_print(text, "    return 0.0;\n}\n");
     glsl_scan_free(&scan);
 }
 
