@@ -6,7 +6,8 @@
 #   light x sequence x sun disk, with the default sky;
 #   sky x sun disk, with the default light;
 #   preset x sun disk, with every method by default.
-# A choice that both builds refuse with the same message counts as the same. Exits with 1 if anything differs.
+# A choice that both builds refuse with the same message counts as the same. Where no value differs by more than a millionth of
+# it, as when a sum is taken in another order, the picture counts as rounded. Exits with 1 if anything differs by more.
 #
 #   --quick             about two minutes: every light with the sun's disk, one sequence, no further skies, no presets
 #   --scenes "A B"      only these scenes, by their names without .glsl
@@ -26,17 +27,24 @@ render() {
 # What a build said, without the name of its folder.
 words() { sed "s|$1/||g" "$2.log"; }
 
-# What `compare` measures, and the largest difference of a channel of a pixel, with the greater of its two values.
+# What `compare` measures, and the value that differs most for its size. Succeeds where that is a millionth at most.
 # PFM: three lines of text, then floats.
 difference() {
     "$BASE/build/magichour" compare "$2" "$1" 2>&1 | awk '$1 == "relRMSE" { printf "relRMSE %s %%, ", $2 }'
     for picture in "$1" "$2"; do sed 1,3d "$picture" | od -An -v -t f4 -w4 >"$picture.txt"; done
     paste "$1.txt" "$2.txt" | awk '
-        { d = $1 - $2; if (d < 0) d = -d; if (d != 0 || $1 != $2) n++; if (d > most) { most = d; at = $1 > $2 ? $1 : $2 } }
-        END { printf "%d of %d values, by %.3g of %.3g at most\n", n, NR, most, at }'
+        function size(x) { return x < 0 ? -x : x }
+        $1 "" == $2 "" { next }
+        {
+            n++
+            most = size($1) > size($2) ? size($1) : size($2)
+            part = most > 0 && $0 !~ /n/ ? size($1 - $2) / most : 1
+            if (!(part <= worst)) { worst = part; a = $1; b = $2 }
+        }
+        END { printf "%d of %d values, at most %s for %s\n", n, NR, b, a; exit !(worst <= 1e-6) }'
 }
 
-# One line about one choice: `same`, `refused` or `DIFFERS`, the choice, and how it differs.
+# One line about one choice: `same`, `refused`, `rounded` or `DIFFERS`, the choice, and how it differs.
 if [ "${1-}" = --one ]; then
     choice=$2
     name=$(echo "$choice" | tr -c 'a-zA-Z0-9.\n' '-')
@@ -56,12 +64,14 @@ if [ "${1-}" = --one ]; then
         result="DIFFERS $choice: refused with other words: $(words "$BASE" "$a" | head -n 1) / $(words "$NEW" "$b" | head -n 1)"
     elif cmp -s "$a" "$b"; then
         result="same $choice"
+    elif how=$(difference "$a" "$b"); then
+        result="rounded $choice: $how"
     else
-        result="DIFFERS $choice: $(difference "$a" "$b")"
+        result="DIFFERS $choice: $how"
     fi
     case $result in
     DIFFERS*) echo "$result" ;;
-    *) rm -f "$a" "$b" "$a.log" "$b.log" ;;
+    *) rm -f "$a" "$b" "$a.log" "$b.log" "$a.txt" "$b.txt" ;;
     esac
     echo "$result" >>"$FOLDER/results"
     exit 0
@@ -139,6 +149,6 @@ start=$(date +%s)
 xargs -a "$FOLDER/choices" -d '\n' -n 1 -P "$jobs" sh "$0" --one
 count() { grep -c "^$1 " "$FOLDER/results" || true; }
 seconds=$(($(date +%s) - start))
-same=$(count same) refused=$(count refused) differs=$(count DIFFERS) asked=$(wc -l <"$FOLDER/choices")
-echo "same: $asked choices in $seconds s: $same same to the bit, $refused refused alike, $differs differ"
-[ $((same + refused)) = "$asked" ] && [ "$same" -gt 0 ]
+same=$(count same) refused=$(count refused) rounded=$(count rounded) differs=$(count DIFFERS) asked=$(wc -l <"$FOLDER/choices")
+echo "same: $asked choices in $seconds s: $same same to the bit, $refused refused alike, $rounded rounded, $differs differ"
+[ $((same + refused + rounded)) = "$asked" ] && [ "$same" -gt 0 ]
