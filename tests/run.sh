@@ -64,15 +64,23 @@ results=$(mktemp -d)
 export results
 trap 'rm -rf "$results"' EXIT
 
-together="" after=""
+# The slow ones start first, so that no processor waits for them at the end.
+first="" together="" after=""
 for program in "$build"/tests/test_*; do
     if [ ! -x "$program" ] || [ ! -f "$program" ]; then continue; fi
     name=$(basename "$program") of=fast
     case $name in *.o | *.d) continue ;; esac
     if among "$name" "$slow"; then of=slow; fi
     [ "$suite" = all ] || [ "$suite" = "$of" ] || continue
-    if among "$name" "$alone"; then after="$after $program"; else together="$together $program"; fi
+    if among "$name" "$alone"; then
+        after="$after $program"
+    elif [ $of = slow ]; then
+        first="$first $program"
+    else
+        together="$together $program"
+    fi
 done
+together="$first$together"
 # shellcheck disable=SC2086
 if [ -n "$together" ]; then printf '%s\n' $together | xargs -n 1 -P "${JOBS:-$(nproc)}" "$0" --one; fi
 for program in $after; do run_program "$program"; done
