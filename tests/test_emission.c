@@ -244,7 +244,8 @@ static void test_chance(void **state) {
 /* What a scene does not use is not compiled. */
 static void test_compiled(void **state) {
     (void)state;
-    static const char *const words[] = {"material_emitted(", "emitter", "emitters_sample(", "cone_sample("};
+    static const char *const words[] = {"material_emitted(", "MATERIAL_EMITTER", "emitters_sample(",
+                                        "cone_sample("};
     char text[4096];
     snprintf(text, sizeof text, furnace, "");
     const char *scenes[] = {"scenes/furnace.glsl", support_write("chance.glsl", text),
