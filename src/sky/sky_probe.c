@@ -102,10 +102,11 @@ static bool ask_some(SkyProbe *probe, const float *directions, size_t count, flo
 bool sky_probe_ask(SkyProbe *probe, const SkyState *state, const float *directions, size_t count,
                    float *radiances, Error *error) {
     if (!use(probe, state, error)) return false;
-    float *rows = memory_get((size_t)SIDE * SIDE * 4, sizeof *rows);
+    size_t most = (size_t)SIDE * SIDE, full_rows = (count + SIDE - 1) / SIDE;
+    float *rows = memory_get((full_rows < SIDE ? full_rows : SIDE) * SIDE * 4, sizeof *rows);
     bool ok = true;
-    for (size_t done = 0; ok && done < count; done += (size_t)SIDE * SIDE) {
-        size_t some = count - done < (size_t)SIDE * SIDE ? count - done : (size_t)SIDE * SIDE;
+    for (size_t done = 0; ok && done < count; done += most) {
+        size_t some = count - done < most ? count - done : most;
         ok = ask_some(probe, directions + 4 * done, some, radiances + 4 * done, rows, error);
     }
     free(rows);
