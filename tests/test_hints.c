@@ -39,7 +39,7 @@ static Image draw(const Context *context, const char *name, const char *text, co
                   double size) {
     Renderer renderer;
     Scene scene;
-    Image image;
+    Image image = {0};
     FilmCount count;
     Error error;
     char value[40];

@@ -340,7 +340,8 @@ static void test_horizon(void **state) {
  * horizon. */
 static void test_extremes(void **state) {
     (void)state;
-    static const char *const methods[] = {"gauss:4", "gauss:8", "gauss:12", "table:gauss:8@32x96", "paper:16x4"};
+    static const char *const methods[] = {"gauss:4", "gauss:8", "gauss:12", "table:gauss:8@32x96",
+                                          "paper:16x4"};
     static const double densities[] = {0, 1, 100, 10000}, asymmetries[] = {-0.999, 0, 0.76, 0.999};
     static const double heights[] = {0, 0.1, 0.3, 1, 10, 59999, 60000, 60001, 1e6};
     static const double suns[] = {90, 20, 0, -2, -18, -90};
