@@ -3,5 +3,5 @@
 #include "pass/sky_light.glsl"
 
 vec3 sky_radiance(vec3 direction) {
-    return sky_light(sky_sums(direction), direction);
+    return sky_light(sky_sums(atmosphere, direction), direction);
 }

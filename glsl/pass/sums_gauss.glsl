@@ -6,6 +6,6 @@
 
 uniform GaussTable gauss_table;
 
-SkySums sky_sums(vec3 direction) {
-    return sky_gauss(atmosphere, gauss_table, observer_height_m, direction, sun_direction);
+SkySums sky_sums(Atmosphere air, vec3 direction) {
+    return sky_gauss(air, gauss_table, observer_height_m, direction, sun_direction);
 }

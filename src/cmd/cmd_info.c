@@ -41,9 +41,13 @@ static void print_values(const double *values, int count) {
 static void print_atmosphere(const Atmosphere *atmosphere) {
     for (int i = 0; atmosphere_field(i); i++) {
         const AtmosphereField *field = atmosphere_field(i);
-        printf("  atmosphere.%s = ", field->name);
-        print_values(atmosphere_value(atmosphere, field), field->count);
-        printf("  (%g to %g; %s)\n", field->min, field->max, field->description);
+        Text value = {0}, range = {0};
+        atmosphere_print_value(atmosphere, field, &value);
+        atmosphere_print_range(field, &range);
+        printf("  atmosphere.%s = %s  (%s; %s)\n", field->name, text_string(&value), text_string(&range),
+               field->description);
+        text_free(&value);
+        text_free(&range);
     }
 }
 

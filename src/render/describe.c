@@ -17,7 +17,12 @@ void describe_value(AttributeList *list, const char *group, const char *name, co
 void describe_atmosphere(const Atmosphere *atmosphere, AttributeList *list) {
     for (int i = 0; atmosphere_field(i); i++) {
         const AtmosphereField *field = atmosphere_field(i);
-        describe_value(list, "atmosphere", field->name, atmosphere_value(atmosphere, field), field->count);
+        char full[96];
+        Text value = {0};
+        snprintf(full, sizeof full, "magichour.atmosphere.%s", field->name);
+        atmosphere_print_value(atmosphere, field, &value);
+        attribute_add(list, full, "%s", text_string(&value));
+        text_free(&value);
     }
 }
 

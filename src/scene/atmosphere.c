@@ -15,7 +15,7 @@
     .mie_g = 0.76, .rayleigh = 1, .mie = 1, .ozone_absorb_per_m = {0.650e-6, 1.881e-6, 0.085e-6},            \
     .ozone_height_m = 25e3, .ozone_half_width_m = 15e3, .sun_irradiance = {20, 20, 20},                      \
     .wavelengths_nm = {680, 550, 440}, .refractive_index = 1.0003, .molecules_per_m3 = 2.545e25,             \
-    .observer_height_m = 1
+    .observer_height_m = 1, .orders = 1
 
 static const AtmospherePreset presets[] = {
     {"simmons2017",
@@ -29,8 +29,11 @@ static const AtmospherePreset presets[] = {
      {SIMMONS2017, .rayleigh_scatter_per_m = {5.8e-6, 13.5e-6, 33.1e-6}, .ozone = 1}},
 };
 
-#define FIELD(name, count, min, max, description)                                                            \
-    { #name, offsetof(Atmosphere, name), count, min, max, description }
+#define ROW(member, length, least, most, text)                                                               \
+    .name = #member, .offset = offsetof(Atmosphere, member), .count = length, .min = least, .max = most,     \
+    .description = text
+#define FIELD(...)                                                                                           \
+    { ROW(__VA_ARGS__) }
 
 static const AtmosphereField fields[] = {
     FIELD(planet_radius_m, 1, 1e3, 1e9, "radius of the planet, m"),
@@ -48,6 +51,12 @@ static const AtmosphereField fields[] = {
     FIELD(ozone_absorb_per_m, 3, 0, 1, "absorption at the middle of the ozone layer, 1/m"),
     FIELD(ozone_height_m, 1, 0, 1e6, "height of the middle of the ozone layer, m"),
     FIELD(ozone_half_width_m, 1, 1, 1e6, "from the middle to no ozone, m; density falls linearly"),
+    {ROW(orders, 1, 1, 1000, "how many times light is scattered at most, by air or ground"), .whole = true,
+     .words = {{"all", INFINITY}}},
+    FIELD(ground_albedo, 3, 0, 1, "albedo of the planet, which is matte; 0 is black"),
+    {ROW(spectrum, 1, 1, 0, "wavelengths that colours are computed from; rgb: the settings' three channels"),
+     .words = {{"rgb", SPECTRUM_RGB}, {"3", 3}, {"6", 6}}},
+    FIELD(mie_angstrom, 1, -4, 8, "with a spectrum, Mie scattering goes as wavelength to minus this"),
     FIELD(sun_irradiance, 3, 0, 1e6, "the sun's irradiance above the atmosphere"),
     FIELD(wavelengths_nm, 3, 100, 1e5, "wavelengths of R, G, B, nm; Rayleigh by the formula"),
     FIELD(refractive_index, 1, 1, 2, "of air at height 0; Rayleigh by the formula"),
@@ -64,6 +73,26 @@ const AtmosphereField *atmosphere_field(int index) {
 
 const double *atmosphere_value(const Atmosphere *atmosphere, const AtmosphereField *field) {
     return (const double *)(const void *)((const char *)atmosphere + field->offset);
+}
+
+void atmosphere_print_value(const Atmosphere *atmosphere, const AtmosphereField *field, Text *out) {
+    const double *value = atmosphere_value(atmosphere, field);
+    for (int i = 0; i < ATMOSPHERE_WORDS && field->words[i].word; i++) {
+        if (*value == field->words[i].value) {
+            text_print(out, "%s", field->words[i].word);
+            return;
+        }
+    }
+    for (int i = 0; i < field->count; i++) text_print(out, "%s%.9g", i ? "," : "", value[i]);
+}
+
+void atmosphere_print_range(const AtmosphereField *field, Text *out) {
+    bool numbers = field->min <= field->max;
+    if (numbers) text_print(out, "%g to %g", field->min, field->max);
+    for (int i = 0; i < ATMOSPHERE_WORDS && field->words[i].word; i++) {
+        bool last = i + 1 == ATMOSPHERE_WORDS || !field->words[i + 1].word;
+        text_print(out, "%s%s", !numbers && !i ? "" : last ? " or " : ", ", field->words[i].word);
+    }
 }
 
 bool atmosphere_choose(Atmosphere *atmosphere, const char *preset, Error *error) {
@@ -93,6 +122,30 @@ static void rayleigh_from_formula(Atmosphere *atmosphere) {
     }
 }
 
+static bool parse_field(const AtmosphereField *field, const char *value, double *target, Error *error) {
+    Text range = {0};
+    double parsed[3];
+    for (int i = 0; i < ATMOSPHERE_WORDS && field->words[i].word; i++) {
+        if (strcmp(value, field->words[i].word) != 0) continue;
+        *target = field->words[i].value;
+        return true;
+    }
+    if (!field->words[0].word) {
+        return value_parse(field->name, value, field->count, field->min, field->max, target, error);
+    }
+    if (field->min <= field->max &&
+        value_parse(field->name, value, 1, field->min, field->max, parsed, error) &&
+        (!field->whole || parsed[0] == floor(parsed[0]))) {
+        *target = parsed[0];
+        return true;
+    }
+    atmosphere_print_range(field, &range);
+    error_set(error, STATUS_USAGE, "%s: '%s' is not %s%s", field->name, value,
+              field->whole ? "a whole number from " : "", text_string(&range));
+    text_free(&range);
+    return false;
+}
+
 bool atmosphere_set(Atmosphere *atmosphere, const char *name, const char *value, Error *error) {
     Text known = {0};
     for (int i = 0; atmosphere_field(i); i++) {
@@ -101,9 +154,7 @@ bool atmosphere_set(Atmosphere *atmosphere, const char *name, const char *value,
         if (strcmp(field->name, name) != 0) continue;
         text_free(&known);
         double *target = (double *)(void *)((char *)atmosphere + field->offset);
-        if (!value_parse(name, value, field->count, field->min, field->max, target, error)) {
-            return error_prefix(error, "atmosphere.");
-        }
+        if (!parse_field(field, value, target, error)) return error_prefix(error, "atmosphere.");
         if (target == atmosphere->wavelengths_nm || target == &atmosphere->refractive_index ||
             target == &atmosphere->molecules_per_m3) {
             rayleigh_from_formula(atmosphere);

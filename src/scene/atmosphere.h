@@ -9,6 +9,7 @@
 #pragma once
 
 #include "base/error.h"
+#include "base/text.h"
 
 #include <stddef.h>
 
@@ -32,25 +33,52 @@ typedef struct Atmosphere {
     double refractive_index;  /* of air at height 0, for Rayleigh coefficients from the formula */
     double molecules_per_m3;  /* of air at height 0, likewise */
     double observer_height_m; /* of all rays that escape a scene */
+    /* How many times light may be scattered, by the air or the ground, until it is seen: 1, 2, ...; INFINITY
+     * for all orders. */
+    double orders;
+    double ground_albedo[3]; /* of the planet, which is matte */
+    /* How colours are computed: SPECTRUM_RGB, or a number of wavelengths (scene/spectrum.h). */
+    double spectrum;
+    /* With a spectrum: Mie scattering goes as the wavelength to the power of minus this. */
+    double mie_angstrom;
 } Atmosphere;
+
+/* The three channels of the settings are computed as they are. */
+#define SPECTRUM_RGB 0
 
 typedef struct AtmospherePreset {
     const char *name, *source;
     Atmosphere atmosphere;
 } AtmospherePreset;
 
+/* A value that is written as a word. */
+typedef struct AtmosphereWord {
+    const char *word;
+    double value;
+} AtmosphereWord;
+
+enum { ATMOSPHERE_WORDS = 3 };
+
 typedef struct AtmosphereField {
     const char *name; /* as in "atmosphere.NAME" */
     size_t offset;    /* of a double or a double[3] in Atmosphere */
     int count;        /* 1 or 3 */
+    /* Of numbers. Where max is below min, only the words are values. */
     double min, max;
     const char *description;
+    bool whole; /* whether only whole numbers are values */
+    AtmosphereWord words[ATMOSPHERE_WORDS];
 } AtmosphereField;
 
 /* The rows; NULL past the end. Index 0 is the default preset. */
 const AtmospherePreset *atmosphere_preset(int index);
 const AtmosphereField *atmosphere_field(int index);
 const double *atmosphere_value(const Atmosphere *atmosphere, const AtmosphereField *field);
+
+/* Appends the value as it is set ("5.8e-06,1.35e-05,3.31e-05", "all"), and what may be set ("1 to 1000, or
+ * all"). */
+void atmosphere_print_value(const Atmosphere *atmosphere, const AtmosphereField *field, Text *out);
+void atmosphere_print_range(const AtmosphereField *field, Text *out);
 
 /* Overwrites all values with a preset's. STATUS_USAGE names the known presets. */
 MUST_CHECK bool atmosphere_choose(Atmosphere *atmosphere, const char *preset, Error *error);

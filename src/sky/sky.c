@@ -23,6 +23,7 @@ void sky_slots(SlotList *slots, const MethodChoice *choice, const Atmosphere *at
     slot_file(slots, "absorber",
               atmosphere->ozone > 0 ? "sky/absorber_ozone.glsl" : "sky/absorber_none.glsl");
     slot_text(slots, "gauss-nodes", nodes);
+    slot_file(slots, "spectrum", "pass/spectrum_rgb.glsl");
 }
 
 void sky_key(const void *frame, Text *key) {
@@ -53,6 +54,8 @@ static void atmosphere_uniforms(const Atmosphere *a, Uniforms *uniforms) {
     uniforms_float(uniforms, "atmosphere.ozone_height_m", a->ozone_height_m);
     uniforms_float(uniforms, "atmosphere.ozone_half_width_m", a->ozone_half_width_m);
     uniforms_vec3(uniforms, "atmosphere.sun_irradiance", a->sun_irradiance);
+    uniforms_declared_in(uniforms, "pass/spectrum_rgb.glsl");
+    uniforms_vec3(uniforms, "ground_albedo", a->ground_albedo);
 }
 
 static void method_uniforms(const MethodChoice *choice, Uniforms *uniforms) {
