@@ -20,7 +20,7 @@ static void destroy(Resource *resource) {
     const GlApi *gl = resource->gl;
     if (resource->framebuffer) gl->DeleteFramebuffers(1, &resource->framebuffer);
     gl->DeleteTextures(RESOURCE_TEXTURES, resource->textures);
-    program_destroy(&resource->program);
+    if (!resource->borrows) program_destroy(&resource->program);
     text_free(&resource->filled_for);
     free(resource);
 }
@@ -39,22 +39,30 @@ static void create_framebuffer(Resource *resource) {
     gl->DrawBuffers(RESOURCE_TEXTURES, targets);
 }
 
-static bool create_program(Resource *resource, const ResourceTexts *texts, Error *error) {
+static bool create_program(Resource *resource, const Resources *before, const ResourceTexts *texts,
+                           Error *error) {
     GlslSource source = {0};
+    for (int i = 0; i < before->count; i++) {
+        const Resource *other = before->items[i];
+        if (!other->kind->entry || strcmp(other->kind->entry, resource->kind->entry) != 0) continue;
+        resource->program = other->program;
+        resource->borrows = true;
+        return true;
+    }
     bool ok = texts->make(texts->data, resource->kind->entry, &source, error) &&
               program_create(&resource->program, resource->gl, &source, error);
     glsl_source_destroy(&source);
     return ok;
 }
 
-static bool create(Resource *resource, const ResourceTexts *texts, Error *error) {
+static bool create(Resource *resource, const Resources *before, const ResourceTexts *texts, Error *error) {
     const ResourceKind *kind = resource->kind;
     for (int i = 0; i < RESOURCE_TEXTURES; i++) {
         if (kind->samplers[i]) resource->textures[i] = texture_create(resource->gl, 1, 1, kind->filter, NULL);
     }
     if (!kind->entry) return gl_check(resource->gl, kind->name, error);
     create_framebuffer(resource);
-    return create_program(resource, texts, error) && gl_check(resource->gl, kind->name, error);
+    return create_program(resource, before, texts, error) && gl_check(resource->gl, kind->name, error);
 }
 
 bool resources_create(Resources *resources, const Context *context, const ResourceKind *const *kinds,
@@ -67,8 +75,9 @@ bool resources_create(Resources *resources, const Context *context, const Resour
             (Resource){.kind = *kind, .gl = &context->gl, .max_texture_size = context->max_texture_size};
         for (int i = 0; i < RESOURCE_INPUTS; i++)
             resource->inputs[i] = resources_find(resources, (*kind)->inputs[i]);
+        bool ok = create(resource, resources, texts, error);
         resources->items[resources->count++] = resource;
-        if (create(resource, texts, error)) continue;
+        if (ok) continue;
         resources_destroy(resources);
         return false;
     }
@@ -111,6 +120,10 @@ static bool draw(Resource *resource, const Resources *before, const void *frame,
     program_use(&resource->program);
     program_set(&resource->program, uniforms);
     resources_give(before, &resource->program);
+    for (int i = 0; i < RESOURCE_INPUTS; i++) {
+        const char *sampler = resource->kind->input_samplers[i];
+        if (sampler) program_set_texture(&resource->program, sampler, resource->inputs[i]->textures[0]);
+    }
     if (!program_check(&resource->program, error)) return false;
     gl->BindFramebuffer(GL_FRAMEBUFFER, resource->framebuffer);
     gl->Viewport(0, 0, resource->width, resource->height);

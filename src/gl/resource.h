@@ -7,7 +7,7 @@
 
 #include "gl/program.h"
 
-enum { RESOURCE_TEXTURES = 2, RESOURCE_INPUTS = 2, MOST_RESOURCES = 16 };
+enum { RESOURCE_TEXTURES = 2, RESOURCE_INPUTS = 4, MOST_RESOURCES = 24 };
 
 typedef struct Resource Resource;
 typedef struct ResourceKind ResourceKind;
@@ -16,7 +16,7 @@ struct ResourceKind {
     /* For errors and lists, such as "the sky's table". */
     const char *name;
     /* The library's file whose program draws it, with one output for each texture; NULL where compute() fills
-     * it. */
+     * it. Kinds with the same entry share the program, and differ by their inputs and uniforms. */
     const char *entry;
     /* The samplers through which programs read its textures; NULL for a texture that it does not have. */
     const char *samplers[RESOURCE_TEXTURES];
@@ -24,6 +24,8 @@ struct ResourceKind {
     GLint filter;
     /* The kinds that are filled before this one, because `entry` or compute() reads them. */
     const ResourceKind *inputs[RESOURCE_INPUTS];
+    /* The samplers through which `entry` reads texture 0 of an input, where they are not the input's own. */
+    const char *input_samplers[RESOURCE_INPUTS];
     /* Whether a frame needs it even if no other table does. An input of a table that is needed is needed
      * too. */
     bool (*wanted)(const void *frame);
@@ -43,8 +45,9 @@ struct Resource {
     const ResourceKind *kind;
     const GlApi *gl;
     int max_texture_size;
-    /* Empty for a kind without `entry`. */
+    /* Empty for a kind without `entry`. It may be the program of an earlier resource, which then owns it. */
     Program program;
+    bool borrows;
     GLuint textures[RESOURCE_TEXTURES], framebuffer;
     int width, height;
     const Resource *inputs[RESOURCE_INPUTS];
