@@ -171,6 +171,9 @@ check_glslang() {
         for sky in table gauss:4 gauss:12 paper uniform; do echo "$scene --sky $sky"; done
         echo "$scene --sun-disk=chance"
         for sky in table gauss paper; do echo "$scene --sky $sky --atmosphere earth"; done
+        for count in 3 6; do
+            for sky in table gauss; do echo "$scene --sky $sky --atmosphere earth --set atmosphere.spectrum=$count"; done
+        done
         for light in $lights; do
             for sequence in $sequences; do
                 echo "$scene --light $light --sequence $sequence"

@@ -1,6 +1,7 @@
 // --sky table: looks up the sums and applies the phase functions. The first half of the textures' rows is above the horizon.
 #include "pass/sky_light.glsl"
 #include "pass/sky_table_size.glsl"
+#include <root>
 #include "sky/table.glsl"
 
 uniform sampler2D sky_table_rayleigh;

@@ -11,15 +11,6 @@
 // linear interpolation 3 to 13 times smaller. A fourth root is two square roots, and a fourth power is two squares.
 #include "sky/sums.glsl"
 
-vec3 fourth_root(vec3 v) {
-    return sqrt(sqrt(v));
-}
-
-vec3 fourth_power(vec3 v) {
-    vec3 squared = v * v;
-    return squared * squared;
-}
-
 // Returns the place of a direction in the table: x across and y along, both in [0,1]. z is 1 below the horizon, and 0 above it. `horizon` is the sine
 // of the visible horizon's elevation. `limb` is the sine of the elevation at which the air ends, or 1 for an observer inside the air. `sun_level` is
 // the unit vector toward the sun's azimuth.

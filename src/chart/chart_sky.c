@@ -7,7 +7,7 @@
 #include "chart/ledger.h"
 #include "chart/plot_write.h"
 #include "sky/sky_probe.h"
-#include "sky/sky_reference.h"
+#include "sky/sky_truth.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -81,7 +81,7 @@ static void find_truth(SkyJob *job) {
         const float *direction = job->directions + 4 * i;
         double view[3] = {(double)direction[0], (double)direction[1], (double)direction[2]};
         monitor_report(&job->params->monitor, 0.2 * i / DIRECTIONS, "the sky by adaptive quadrature");
-        sky_reference(&s->atmosphere, s->atmosphere.observer_height_m, view, sun, job->truth + 3 * i);
+        sky_truth(&s->atmosphere, s->atmosphere.observer_height_m, view, sun, job->truth + 3 * i);
     }
 }
 

@@ -9,7 +9,7 @@
 #include "image/format.h"
 #include "render/describe.h"
 #include "sky/sky_probe.h"
-#include "sky/sky_reference.h"
+#include "sky/sky_truth.h"
 #include "sky/sun.h"
 #include "sky/sun_disk.h"
 
@@ -160,7 +160,7 @@ static void ask_reference(const Job *job, SkyRow *row) {
     double view[3], sun[3];
     unit_vector(row->view_el_deg, row->az_deg, view);
     unit_vector(row->sun_el_deg, 0, sun);
-    sky_reference(&job->scene.values.atmosphere, row->height_m, view, sun, row->radiance);
+    sky_truth(&job->scene.values.atmosphere, row->height_m, view, sun, row->radiance);
 }
 
 /* Looks up rows that share an observer and a sun. */

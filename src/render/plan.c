@@ -168,6 +168,7 @@ bool plan_counts_chance(const Plan *plan) {
 bool plan_choose(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
     plan->max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS;
     plan->ozone = params->scene->values.atmosphere.ozone > 0;
+    plan->spectrum = params->scene->values.atmosphere.spectrum;
     return choose_methods(plan, params, error) && choose_group(plan, params, context, error);
 }
 
@@ -179,5 +180,5 @@ bool plan_make(Plan *plan, const RenderParams *params, const Context *context, E
 bool plan_same_programs(const Plan *a, const Plan *b) {
     return strcmp(a->sky.text, b->sky.text) == 0 && strcmp(a->light.text, b->light.text) == 0 &&
            strcmp(a->sequence.text, b->sequence.text) == 0 && strcmp(a->sun.text, b->sun.text) == 0 &&
-           a->ozone == b->ozone;
+           a->ozone == b->ozone && a->spectrum == b->spectrum;
 }

@@ -55,8 +55,9 @@ typedef struct Plan {
     /* The number of loop iterations after which this OpenGL ends a shader's loops: 0 if it never does, and
      * LOOP_LIMIT_UNKNOWN until a plan comes near the smallest limit known. */
     long loop_limit;
-    /* Whether the air has ozone. It is compiled in. */
+    /* Whether the air has ozone, and how its colours are computed. They are compiled in. */
     bool ozone;
+    double spectrum;
 } Plan;
 
 /* Makes the plan. `context` is where the picture will be drawn, and its limit of loops may be measured there;

@@ -5,6 +5,7 @@
 #include "scene/annotation.h"
 #include "scene/annotation_hints.h"
 #include "scene/hint_glsl.h"
+#include "scene/spectrum.h"
 
 #include <math.h>
 #include <string.h>
@@ -114,5 +115,6 @@ bool scene_check(const Scene *scene, Error *error) {
     double distance = hypot(hypot(target[0] - eye[0], target[1] - eye[1]), target[2] - eye[2]);
     if (distance < 1e-6)
         return error_set(error, STATUS_USAGE, "%s: the camera's eye is at its target", scene->file->path);
-    return atmosphere_check(&scene->values.atmosphere, error);
+    return atmosphere_check(&scene->values.atmosphere, error) &&
+           spectrum_check(&scene->values.atmosphere, error);
 }

@@ -2,6 +2,7 @@
 
 #include "choice/bias.h"
 #include "sky/gauss_table.h"
+#include "sky/sky_spectrum.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,7 +24,7 @@ void sky_slots(SlotList *slots, const MethodChoice *choice, const Atmosphere *at
     slot_file(slots, "absorber",
               atmosphere->ozone > 0 ? "sky/absorber_ozone.glsl" : "sky/absorber_none.glsl");
     slot_text(slots, "gauss-nodes", nodes);
-    slot_file(slots, "spectrum", "pass/spectrum_rgb.glsl");
+    sky_spectrum_slots(slots, atmosphere);
 }
 
 void sky_key(const void *frame, Text *key) {
@@ -54,8 +55,6 @@ static void atmosphere_uniforms(const Atmosphere *a, Uniforms *uniforms) {
     uniforms_float(uniforms, "atmosphere.ozone_height_m", a->ozone_height_m);
     uniforms_float(uniforms, "atmosphere.ozone_half_width_m", a->ozone_half_width_m);
     uniforms_vec3(uniforms, "atmosphere.sun_irradiance", a->sun_irradiance);
-    uniforms_declared_in(uniforms, "pass/spectrum_rgb.glsl");
-    uniforms_vec3(uniforms, "ground_albedo", a->ground_albedo);
 }
 
 static void method_uniforms(const MethodChoice *choice, Uniforms *uniforms) {
@@ -85,6 +84,7 @@ void sky_uniforms(const Frame *frame, Uniforms *uniforms) {
     uniforms_vec3(uniforms, "sun_direction", frame->state.sun.direction);
     uniforms_vec3(uniforms, "sun_level", frame->state.sun.level);
     atmosphere_uniforms(&frame->state.atmosphere, uniforms);
+    sky_spectrum_uniforms(&frame->state.atmosphere, uniforms);
     method_uniforms(frame->sky, uniforms);
 }
 

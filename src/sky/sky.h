@@ -8,7 +8,8 @@
 /* The sine of the elevation of the observer's visible horizon, at most 0. */
 double sky_horizon_sine(const Atmosphere *atmosphere);
 
-/* Fills <sky>, <sums>, <absorber> and <gauss-nodes>. Without ozone the files leave it out. */
+/* Fills <sky>, <sums>, <absorber>, <gauss-nodes> and the slots of sky/sky_spectrum.h. Without ozone the files
+ * leave it out. */
 void sky_slots(SlotList *slots, const MethodChoice *choice, const Atmosphere *atmosphere);
 
 /* Adds the uniforms of the sun, the air and the method. */

@@ -12,7 +12,7 @@ typedef struct SkyProbe {
     GLuint texture[2], framebuffer;
 } SkyProbe;
 
-/* Whether the atmosphere has ozone must not change afterwards. */
+/* Whether the atmosphere has ozone, and its spectrum, must not change afterwards. */
 MUST_CHECK bool sky_probe_create(SkyProbe *probe, const Context *context, SourceStore *sources,
                                  const MethodChoice *choice, const Atmosphere *atmosphere, Error *error);
 void sky_probe_destroy(SkyProbe *probe);

@@ -56,7 +56,7 @@ static void weigh(const float *light, const float *direction, double *weights) {
     for (int i = 0; i < CELLS; i++) {
         double luminance = 0.2126 * (double)light[4 * i] + 0.7152 * (double)light[4 * i + 1] +
                            0.0722 * (double)light[4 * i + 2];
-        weights[i] = direction[4 * i + 1] > 0 ? luminance : 0;
+        weights[i] = direction[4 * i + 1] > 0 ? fmax(luminance, 0) : 0;
         total += weights[i];
     }
     double solid_angle = 2 * pi;

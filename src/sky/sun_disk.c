@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "base/vec3.h"
+#include "scene/spectrum.h"
 #include "sky/sky.h"
 #include "sky/sky_reference.h"
 
@@ -32,9 +33,15 @@ bool sun_disk_visible(const SunDisk *disk) {
 
 static void radiance_toward(const SunDisk *disk, const Atmosphere *atmosphere, const double direction[3],
                             double radiance[3]) {
-    sky_reference_transmittance(atmosphere, atmosphere->observer_height_m, direction, radiance);
-    for (int c = 0; c < 3; c++)
-        radiance[c] *= atmosphere->sun_irradiance[c] / (pi * sin(disk->radius) * sin(disk->radius));
+    double solid_angle = pi * sin(disk->radius) * sin(disk->radius);
+    for (int c = 0; c < 3; c++) radiance[c] = 0;
+    for (int band = 0; band < spectrum_bands(atmosphere); band++) {
+        Atmosphere air = spectrum_band(atmosphere, band);
+        double channels[3];
+        sky_reference_transmittance(&air, air.observer_height_m, direction, channels);
+        for (int c = 0; c < 3; c++) channels[c] *= air.sun_irradiance[c] / solid_angle;
+        spectrum_add(atmosphere, band, channels, radiance);
+    }
 }
 
 void sun_disk_radiance(const SunDisk *disk, const Atmosphere *atmosphere, const double direction[3],

@@ -39,7 +39,12 @@ static void print_atmosphere(Text *text, const Atmosphere *atmosphere, const Atm
             bool wanted = differ(values, atmosphere_value(file, field), field->count) ||
                           (anew && strcmp(field->name, "rayleigh_scatter_per_m") == 0);
             if (early != (pass == 0) || !wanted) continue;
-            print_setting(text, "atmosphere.", field->name, values, field->count);
+            if (field->words[0].word) {
+                text_print(text, " --set atmosphere.%s=", field->name);
+                atmosphere_print_value(atmosphere, field, text);
+            } else {
+                print_setting(text, "atmosphere.", field->name, values, field->count);
+            }
             anew |= early;
         }
     }
