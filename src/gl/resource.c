@@ -1,8 +1,11 @@
 #include "gl/resource.h"
 
+#include "base/clock.h"
 #include "base/memory.h"
+#include "gl/strips.h"
 #include "gl/texture.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -96,27 +99,56 @@ Resource *resources_find(const Resources *resources, const ResourceKind *kind) {
     return NULL;
 }
 
-static bool resize(Resource *resource, const void *frame, Error *error) {
-    int width, height, most = resource->max_texture_size;
-    resource->kind->size(frame, &width, &height);
-    if (width == resource->width && height == resource->height) return true;
-    if (width > most || height > most) {
+/* When filling in steps has to end. */
+typedef struct Step {
+    double end;
+    bool (*stop)(void);
+    bool over;
+} Step;
+
+/* A table that this OpenGL cannot have is refused before any other one is changed. */
+static bool check_sizes(const Resources *resources, const void *frame, Error *error) {
+    for (int i = 0; i < resources->count; i++) {
+        const Resource *resource = resources->items[i];
+        int width, height, most = resource->max_texture_size;
+        if (!resource->kind->entry) continue;
+        resource->kind->size(frame, &width, &height);
+        if (width <= most && height <= most) continue;
         return error_set(error, STATUS_USAGE, "%s: it needs textures of %dx%d, this OpenGL's limit is %d",
                          resource->kind->name, width, height, most);
     }
+    return true;
+}
+
+static void resize(Resource *resource, const void *frame) {
+    int width, height;
+    resource->kind->size(frame, &width, &height);
+    if (width == resource->width && height == resource->height) return;
     for (int i = 0; i < RESOURCE_TEXTURES; i++) {
         if (resource->textures[i]) texture_resize(resource->gl, resource->textures[i], width, height, NULL);
     }
     resource->width = width;
     resource->height = height;
-    return true;
 }
 
-/* The program may read only the tables in `before`. */
+/* Draws strips of at most a tenth of a second. */
+static void draw_rows(Resource *resource, Step *step) {
+    static const double first_guess = 2e4, longest_s = 0.3;
+    double left = step->end - clock_seconds();
+    if (!(resource->texels_per_second > 0)) resource->texels_per_second = first_guess;
+    do {
+        strips_draw_for(&resource->program, resource->width, resource->height, &resource->row,
+                        &resource->texels_per_second, fmin(fmax(left, 0), longest_s), step->stop);
+        left = step->end - clock_seconds();
+        step->over = left <= 0 || (step->stop && step->stop());
+    } while (resource->row < resource->height && !step->over);
+}
+
+/* The program may read only the tables in `before`. It may have been another table's since the last step. */
 static bool draw(Resource *resource, const Resources *before, const void *frame, const Uniforms *uniforms,
-                 Error *error) {
+                 Step *step, Error *error) {
     const GlApi *gl = resource->gl;
-    if (!resize(resource, frame, error)) return false;
+    resize(resource, frame);
     program_use(&resource->program);
     program_set(&resource->program, uniforms);
     resources_give(before, &resource->program);
@@ -127,7 +159,12 @@ static bool draw(Resource *resource, const Resources *before, const void *frame,
     if (!program_check(&resource->program, error)) return false;
     gl->BindFramebuffer(GL_FRAMEBUFFER, resource->framebuffer);
     gl->Viewport(0, 0, resource->width, resource->height);
-    program_draw(&resource->program, 0, 0, resource->width, resource->height);
+    if (resource->kind->in_steps) {
+        draw_rows(resource, step);
+    } else {
+        program_draw(&resource->program, 0, 0, resource->width, resource->height);
+        resource->row = resource->height;
+    }
     return true;
 }
 
@@ -144,34 +181,74 @@ static bool same_bytes(const Text *a, const Text *b) {
     return a->size == b->size && (a->size == 0 || memcmp(a->data, b->data, a->size) == 0);
 }
 
-static bool prepare(Resource *resource, const Resources *before, const void *frame, Uniforms *uniforms,
-                    Error *error) {
-    const ResourceKind *kind = resource->kind;
-    Text key = {0};
-    bool ok = true;
-    write_key(resource, frame, &key);
-    bool stale = !resource->fills || !same_bytes(&key, &resource->filled_for);
-    if (stale && kind->compute) ok = kind->compute(resource, frame, error);
-    if (ok && kind->uniforms) kind->uniforms(resource, frame, uniforms);
-    if (ok && stale && kind->entry) ok = draw(resource, before, frame, uniforms, error);
-    if (ok && stale) ok = gl_check(resource->gl, kind->name, error);
-    if (ok && stale) {
-        text_free(&resource->filled_for);
-        resource->filled_for = key;
-        key = (Text){0};
-        resource->fills++;
+/* Finds the tables that are out of date for this frame. Those that read them are so too. */
+static void find_stale(Resources *resources, const void *frame) {
+    for (int i = 0; i < resources->count; i++) {
+        Resource *resource = resources->items[i];
+        Text key = {0};
+        write_key(resource, frame, &key);
+        bool same = same_bytes(&key, &resource->filled_for);
+        for (int k = 0; k < RESOURCE_INPUTS; k++) same &= !resource->inputs[k] || resource->inputs[k]->whole;
+        if (!same) {
+            resource->whole = false;
+            resource->row = 0;
+        }
+        text_free(&key);
     }
-    text_free(&key);
-    return ok;
+}
+
+static bool prepare(Resource *resource, const Resources *before, const void *frame, Uniforms *uniforms,
+                    Step *step, Error *error) {
+    const ResourceKind *kind = resource->kind;
+    bool stale = !resource->whole;
+    if (stale && kind->compute && !kind->compute(resource, frame, error)) return false;
+    if (kind->uniforms) kind->uniforms(resource, frame, uniforms);
+    if (!stale) return true;
+    if (kind->entry && !draw(resource, before, frame, uniforms, step, error)) return false;
+    if (!gl_check(resource->gl, kind->name, error)) return false;
+    text_free(&resource->filled_for);
+    write_key(resource, frame, &resource->filled_for);
+    if (kind->entry && resource->row < resource->height) return true;
+    resource->whole = true;
+    resource->row = 0;
+    resource->fills++;
+    return true;
+}
+
+static double share_ready(const Resources *resources, const void *frame) {
+    double ready = 0, all = 0;
+    for (int i = 0; i < resources->count; i++) {
+        const Resource *resource = resources->items[i];
+        int width, height;
+        if (!resource->kind->in_steps) continue;
+        resource->kind->size(frame, &width, &height);
+        all += (double)width * height;
+        ready += (double)width * (resource->whole ? height : resource->row);
+    }
+    return ready / all;
+}
+
+bool resources_prepare_for(Resources *resources, const void *frame, Uniforms *uniforms, double seconds,
+                           bool (*stop)(void), double *share, Error *error) {
+    Step step = {.end = clock_seconds() + 0.9 * seconds, .stop = stop};
+    int ready = 0;
+    if (!check_sizes(resources, frame, error)) return false;
+    find_stale(resources, frame);
+    for (; ready < resources->count; ready++) {
+        Resource *resource = resources->items[ready];
+        Resources before = *resources;
+        before.count = ready;
+        if (step.over && !resource->whole && resource->kind->in_steps) break;
+        if (!prepare(resource, &before, frame, uniforms, &step, error)) return false;
+        if (!resource->whole) break;
+    }
+    *share = ready < resources->count ? share_ready(resources, frame) : 1;
+    return true;
 }
 
 bool resources_prepare(Resources *resources, const void *frame, Uniforms *uniforms, Error *error) {
-    for (int i = 0; i < resources->count; i++) {
-        Resources before = *resources;
-        before.count = i;
-        if (!prepare(resources->items[i], &before, frame, uniforms, error)) return false;
-    }
-    return true;
+    double share;
+    return resources_prepare_for(resources, frame, uniforms, INFINITY, NULL, &share, error);
 }
 
 void resources_uniforms(const Resources *resources, const void *frame, Uniforms *uniforms) {

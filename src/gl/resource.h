@@ -29,6 +29,9 @@ struct ResourceKind {
     /* Whether a frame needs it even if no other table does. An input of a table that is needed is needed
      * too. */
     bool (*wanted)(const void *frame);
+    /* Whether filling it by drawing may take longer than a frame. It is then drawn in strips of rows, between
+     * which resources_prepare_for() may stop. A table that each frame changes would never be finished so. */
+    bool in_steps;
     /* The size in texels of a table that is drawn. */
     void (*size)(const void *frame, int *width, int *height);
     /* Appends the bytes on which the content depends, beside the inputs. NULL where it depends on the inputs
@@ -51,7 +54,12 @@ struct Resource {
     GLuint textures[RESOURCE_TEXTURES], framebuffer;
     int width, height;
     const Resource *inputs[RESOURCE_INPUTS];
+    /* What the content depends on, and whether all of it is there. While it is filled in steps, `row` is the
+     * first row that is not drawn yet, at the speed that was measured last. */
     Text filled_for;
+    bool whole;
+    int row;
+    double texels_per_second;
     /* The number of times that it was filled. */
     int fills;
     /* A number that compute() leaves for uniforms(), such as the number of entries in a list. */
@@ -82,6 +90,14 @@ bool resource_is_needed(const ResourceKind *kind, const ResourceKind *const *kin
 /* Fills the tables whose content is out of date for this frame. `uniforms` holds the frame's uniforms; those
  * of the tables are added to it. The bound framebuffer and the program in use change. */
 MUST_CHECK bool resources_prepare(Resources *resources, const void *frame, Uniforms *uniforms, Error *error);
+
+/* The same, but only for about `seconds` (INFINITY for as long as it takes), and until `stop` (may be NULL)
+ * returns true; both are looked at between strips of the tables in steps, of which at least one strip is
+ * drawn. The next call goes on with it, and starts anew what has become out of date in between. `share` is
+ * the part of these tables that is ready, weighted by texels. It is 1 if and only if everything is: before
+ * that `uniforms` is not complete, and nothing may be drawn with the tables. */
+MUST_CHECK bool resources_prepare_for(Resources *resources, const void *frame, Uniforms *uniforms,
+                                      double seconds, bool (*stop)(void), double *share, Error *error);
 
 /* Adds the tables' uniforms without filling the tables. */
 void resources_uniforms(const Resources *resources, const void *frame, Uniforms *uniforms);

@@ -26,6 +26,8 @@ typedef struct RenderParams {
     double error_percent;
     /* Whether the film must have FILM_SCATTER, for film_read_variance(). */
     bool variance;
+    /* Whether a renderer may be returned whose tables in steps are not ready, for renderer_prepare(). */
+    bool in_steps;
 } RenderParams;
 
 /* What the scene needs, found by scanning its flattened text. Features that it does not need are not

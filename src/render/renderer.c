@@ -44,18 +44,24 @@ static void give(const Renderer *renderer, const Program *program, const Uniform
     resources_give(&renderer->tables, program);
 }
 
-/* Fills the tables for this frame and sets all uniforms of both programs that stay the same until the next
- * frame. */
-static bool set_up(Renderer *renderer, const Frame *frame, Error *error) {
+/* Fills the tables for this frame, and when they are ready, sets all uniforms of both programs that stay the
+ * same until the next frame. */
+static bool set_up(Renderer *renderer, const Frame *frame, double seconds, bool (*stop)(void), Error *error) {
     Uniforms uniforms = {0};
     frame_uniforms(frame, &renderer->plan, renderer->seed, &uniforms);
-    bool ok = resources_prepare(&renderer->tables, frame, &uniforms, error);
-    if (ok) {
+    bool ok =
+        resources_prepare_for(&renderer->tables, frame, &uniforms, seconds, stop, &renderer->prepared, error);
+    if (ok && renderer->prepared == 1) {
         give(renderer, &renderer->program, &uniforms);
         give(renderer, &renderer->image.program, &uniforms);
     }
     uniforms_free(&uniforms);
     return ok && gl_check(renderer->gl, "setting up the pass", error);
+}
+
+/* The time for the tables in a start that need not make them ready. */
+static double start_seconds(const RenderParams *params) {
+    return params->in_steps ? 0.03 : INFINITY;
 }
 
 static void begin(Renderer *renderer, unsigned group) {
@@ -78,6 +84,15 @@ static bool warm_up(Renderer *renderer, Error *error) {
     program_draw(&renderer->program, 0, 0, 1, 1);
     renderer->gl->Finish();
     return gl_check(renderer->gl, "drawing a first pixel", error);
+}
+
+/* Begins the picture if the tables are ready. */
+static bool finish(Renderer *renderer, Error *error) {
+    if (renderer->prepared < 1) return true;
+    film_reset(&renderer->film);
+    if (!renderer->warm && !warm_up(renderer, error)) return false;
+    renderer->warm = true;
+    return true;
 }
 
 static unsigned film_parts(const Plan *plan, bool variance) {
@@ -124,7 +139,7 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
         return false;
     }
     image_pass_begin(&renderer->image, &image, width, height);
-    return set_up(renderer, &frame, error) && warm_up(renderer, error);
+    return set_up(renderer, &frame, start_seconds(params), NULL, error) && finish(renderer, error);
 }
 
 bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
@@ -143,9 +158,22 @@ fail:
     return false;
 }
 
+static bool film_fits(const Renderer *renderer, int width, int height) {
+    const Film *film = &renderer->film;
+    return film->target.gl && film->width == width && film->height == height &&
+           film->parts == film_parts(&renderer->plan, renderer->variance);
+}
+
+/* If the new renderer has to wait for its tables, it keeps the picture of before. */
 static bool recreate(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
     Renderer next;
     if (!renderer_create(&next, context, params, error)) return false;
+    Film film = next.film;
+    if (next.prepared < 1 && renderer->film.parts == film.parts &&
+        film_fits(renderer, film.width, film.height)) {
+        next.film = renderer->film;
+        renderer->film = film;
+    }
     renderer_destroy(renderer);
     *renderer = next;
     return true;
@@ -155,22 +183,10 @@ static bool recreate(Renderer *renderer, const Context *context, const RenderPar
  * empty. */
 static bool create_next_film(const Renderer *renderer, const Context *context, const Camera *camera,
                              Film *next, Error *error) {
-    const Film *film = &renderer->film;
-    unsigned parts = film_parts(&renderer->plan, renderer->variance);
     *next = (Film){0};
-    if (film->target.gl && film->width == camera->width && film->height == camera->height &&
-        film->parts == parts)
-        return true;
-    return film_create(next, context, camera->width, camera->height, parts, error);
-}
-
-static void clear_film(Renderer *renderer, const Film *next) {
-    if (next->target.gl) {
-        film_destroy(&renderer->film);
-        renderer->film = *next;
-    } else {
-        film_reset(&renderer->film);
-    }
+    return film_fits(renderer, camera->width, camera->height) ||
+           film_create(next, context, camera->width, camera->height,
+                       film_parts(&renderer->plan, renderer->variance), error);
 }
 
 bool renderer_restart(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
@@ -193,7 +209,7 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
     if (!create_next_film(renderer, context, &camera, &next, error) ||
         !find_image(renderer, &frame, &image, error) ||
         !image_pass_compile(&renderer->image, &image, &plan, params, error) ||
-        !set_up(renderer, &frame, error)) {
+        !set_up(renderer, &frame, start_seconds(params), NULL, error)) {
         film_destroy(&next);
         renderer->plan = before;
         renderer->seed = seed;
@@ -201,11 +217,21 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
     }
     follow(renderer, &frame);
     image_pass_begin(&renderer->image, &image, width, height);
-    clear_film(renderer, &next);
+    if (next.target.gl) {
+        film_destroy(&renderer->film);
+        renderer->film = next;
+    }
     renderer->pixels_per_second *= (double)renderer->group / plan.group_samples;
     renderer->group = plan.group_samples;
     renderer->row = 0;
-    return true;
+    return finish(renderer, error);
+}
+
+bool renderer_prepare(Renderer *renderer, const RenderParams *params, double seconds, bool (*stop)(void),
+                      Error *error) {
+    if (renderer->prepared == 1) return true;
+    Frame frame = frame_of(&renderer->plan, params->scene, &renderer->camera);
+    return set_up(renderer, &frame, seconds, stop, error) && finish(renderer, error);
 }
 
 void renderer_destroy(Renderer *renderer) {

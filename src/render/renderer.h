@@ -22,6 +22,12 @@ typedef struct Renderer {
     bool sun_by_chance;
     Program program;
     Resources tables;
+    /* The part of the tables that is ready, as resources_prepare_for() tells it. Nothing can be drawn before
+     * it is 1. */
+    double prepared;
+    /* Whether the programs have drawn their first pixel, before which drivers put compiling off. */
+    bool warm;
+    /* It holds the picture of before until the tables are ready. */
     Film film;
     Camera camera;
     /* The pass that draws the sun's own image. */
@@ -37,7 +43,8 @@ typedef struct Renderer {
 } Renderer;
 
 /* Compiles the programs. Drivers put compiling off until the first draw, so one pixel is drawn and thrown
- * away. Methods or loops beyond their limits are STATUS_USAGE, errors in GLSL are STATUS_SCENE. */
+ * away. The tables are filled, or with params->in_steps only begun. Methods or loops beyond their limits are
+ * STATUS_USAGE, errors in GLSL are STATUS_SCENE. */
 MUST_CHECK bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params,
                                 Error *error);
 void renderer_destroy(Renderer *renderer);
@@ -48,6 +55,11 @@ void renderer_destroy(Renderer *renderer);
  * renderer is unchanged. */
 MUST_CHECK bool renderer_restart(Renderer *renderer, const Context *context, const RenderParams *params,
                                  Error *error);
+
+/* Goes on with the tables for about `seconds`, or until `stop` (may be NULL) returns true, if they are not
+ * ready. The parameters are those of the last start. */
+MUST_CHECK bool renderer_prepare(Renderer *renderer, const RenderParams *params, double seconds,
+                                 bool (*stop)(void), Error *error);
 
 /* Adds one group of at most `samples` samples to each pixel. It draws strips of rows, so that `stop` (may be
  * NULL) is called about ten times a second. When `stop` returns true, the unfinished group is dropped; if it
