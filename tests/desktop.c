@@ -240,26 +240,42 @@ void desktop_expect_number(Desktop *desktop, const char *name, double low, doubl
     show_end(desktop, wanted);
 }
 
-void desktop_expect_frames(Desktop *desktop, int frames) {
-    double first = desktop_number(desktop, "frame");
-    desktop_expect_number(desktop, "frame", first + frames, 1e300);
+/* The window hears events in their order, and shows three frames after each. A key without a meaning that is
+ * pressed now is therefore heard after what was done before, and three more frames are sure to come, even at
+ * rest. Of these, the first may have been on its way, the second hears all, and the third has its figures. */
+double desktop_settle(Desktop *desktop) {
+    double frame = desktop_number(desktop, "frame") + 3;
+    desktop_also(desktop, "key F12");
+    desktop_expect_number(desktop, "frame", frame, 1e300);
+    return frame;
 }
 
-void desktop_expect_rest(Desktop *desktop, double samples) {
+/* Waits for a line with at least this frame, picture and samples, and at most this coarseness. */
+static bool await(Desktop *desktop, double frame, double picture, double coarseness, double samples) {
+    double got[4];
     for (double end = clock_seconds() + patience_s; clock_seconds() < end; pause_ms(5)) {
         read_log(desktop);
         const char *line = text_string(&desktop->log) + desktop->news;
         for (const char *next; (next = strchr(line, '\n')); line = next + 1) {
-            double picture, coarseness, taken;
             size_t length = (size_t)(next - line);
-            if (number_in(line, length, "picture", &picture) && picture > desktop->picture &&
-                number_in(line, length, "coarseness", &coarseness) && coarseness < 2 &&
-                number_in(line, length, "samples", &taken) && taken >= samples) {
-                return;
+            if (number_in(line, length, "frame", &got[0]) && got[0] >= frame &&
+                number_in(line, length, "picture", &got[1]) && got[1] >= picture &&
+                number_in(line, length, "coarseness", &got[2]) && got[2] <= coarseness &&
+                number_in(line, length, "samples", &got[3]) && got[3] >= samples) {
+                return true;
             }
         }
     }
-    show_end(desktop, "a picture at rest");
+    return false;
+}
+
+void desktop_expect_samples(Desktop *desktop, double samples) {
+    if (!await(desktop, desktop_settle(desktop), 0, 1e300, samples)) show_end(desktop, "samples");
+}
+
+void desktop_expect_rest(Desktop *desktop, double samples) {
+    if (!await(desktop, desktop_settle(desktop), desktop->picture + 1, 1, samples))
+        show_end(desktop, "a picture at rest");
 }
 
 double desktop_number(Desktop *desktop, const char *name) {

@@ -39,9 +39,13 @@ const char *desktop_expect(Desktop *desktop, const char *words, const char *more
 /* Waits for a frame whose number `name` is in [low, high], and has the words. */
 void desktop_expect_number(Desktop *desktop, const char *name, double low, double high);
 
-/* Waits until what was done last has been seen and shown: until so many frames have begun since, of which the
- * first may have been on its way before. */
-void desktop_expect_frames(Desktop *desktop, int frames);
+/* Waits until all that was done has been heard and its answer is on the screen. Returns the number of the
+ * first frame whose line in the log is sure to be later. */
+double desktop_settle(Desktop *desktop);
+
+/* Waits for so many samples in a frame that is later than what was done last. The samples of a line of news
+ * may be those of the picture before: xdotool takes time to start, and the window goes on drawing. */
+void desktop_expect_samples(Desktop *desktop, double samples);
 
 /* Waits for a picture at rest with so many samples that began after what was done last. */
 void desktop_expect_rest(Desktop *desktop, double samples);
