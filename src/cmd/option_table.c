@@ -60,6 +60,10 @@ const OptionRow option_table[] = {
      "play a day into DIR/frame-00001.png ..., 64 samples each if --spp is not given", NULL},
     {GROUP_OUTPUT, "--at", "FILE.csv", S, STRING(at),
      "radiances for rows height_m,sun_el_deg,view_el_deg,az_deg (azimuth from the sun's), as CSV", NULL},
+    {GROUP_OUTPUT, "--spectrum", "[=LIST]", S, OPTIONAL(spectrum),
+     "for --at: radiances of wavelengths in nm (400,550 or 360:830:10; those of atmosphere.spectrum if not "
+     "given), W m-2 sr-1 nm-1, in place of R,G,B",
+     NULL},
     {GROUP_OUTPUT, "--charts", "LIST", H, STRING(charts), "some of paths,sky,scale; all by default", NULL},
     {GROUP_OUTPUT, "--all", NULL, F, FLAG(all),
      "every program of a picture, in the order in which they are drawn, each after a line with its name",

@@ -55,6 +55,9 @@ typedef struct Options {
     /* The file of directions of `sky`. */
     const char *at;
 
+    /* The wavelengths whose radiances `sky --at` writes; "auto" if the option has no list. */
+    const char *spectrum;
+
     /* The folder for the frames of a day. */
     const char *record;
 

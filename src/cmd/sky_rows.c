@@ -75,16 +75,29 @@ bool sky_rows_read(SkyRows *rows, const char *path, Error *error) {
 }
 
 void sky_rows_free(SkyRows *rows) {
+    for (size_t i = 0; i < rows->count; i++) free(rows->rows[i].values);
     free(rows->rows);
     text_free(&rows->comments);
+    text_free(&rows->names);
     *rows = (SkyRows){0};
 }
 
+void sky_rows_add(SkyRows *rows, const char *name) {
+    int column = rows->columns++;
+    text_print(&rows->names, ",%s", name);
+    for (size_t i = 0; column % 3 == 0 && i < rows->count; i++) {
+        double *values = memory_grow(rows->rows[i].values, (size_t)column + 3, sizeof *values);
+        for (int k = column; k < column + 3; k++) values[k] = 0;
+        rows->rows[i].values = values;
+    }
+}
+
 void sky_rows_print(const SkyRows *rows, Text *out) {
-    text_print(out, "%s%s,R,G,B\n", text_string(&rows->comments), header);
+    text_print(out, "%s%s%s\n", text_string(&rows->comments), header, text_string(&rows->names));
     for (size_t i = 0; i < rows->count; i++) {
         const SkyRow *row = &rows->rows[i];
-        text_print(out, "%s,%s,%s,%s,%.9g,%.9g,%.9g\n", row->words[0], row->words[1], row->words[2],
-                   row->words[3], row->radiance[0], row->radiance[1], row->radiance[2]);
+        for (int k = 0; k < 4; k++) text_print(out, "%s%s", k ? "," : "", row->words[k]);
+        for (int k = 0; k < rows->columns; k++) text_print(out, ",%.9g", row->values[k]);
+        text_print(out, "\n");
     }
 }

@@ -1,4 +1,4 @@
-/* The rows of `sky --at`: height_m,sun_el_deg,view_el_deg,az_deg, then R,G,B. */
+/* The rows of `sky --at`: height_m,sun_el_deg,view_el_deg,az_deg, then the columns of the answer. */
 #pragma once
 
 #include "base/text.h"
@@ -6,7 +6,8 @@
 typedef struct SkyRow {
     /* The azimuth is measured from the sun's. */
     double height_m, sun_el_deg, view_el_deg, az_deg;
-    double radiance[3];
+    /* The answer, one value for each column. There is room for whole threes. */
+    double *values;
     /* The numbers as they were written. */
     char words[4][32];
 } SkyRow;
@@ -15,6 +16,9 @@ typedef struct SkyRows {
     /* Owned. */
     SkyRow *rows;
     size_t count;
+    /* The names of the columns of the answer, each after a comma, and their number. */
+    Text names;
+    int columns;
     /* The lines that start with #, each with its end. */
     Text comments;
 } SkyRows;
@@ -24,5 +28,8 @@ typedef struct SkyRows {
 MUST_CHECK bool sky_rows_read(SkyRows *rows, const char *path, Error *error);
 void sky_rows_free(SkyRows *rows);
 
-/* Prints the comments, a header, and each row with R,G,B in full precision. */
+/* Adds a column to the answer, with values of 0. */
+void sky_rows_add(SkyRows *rows, const char *name);
+
+/* Prints the comments, a header, and each row with its answer in full precision. */
 void sky_rows_print(const SkyRows *rows, Text *out);

@@ -85,16 +85,15 @@ Atmosphere spectrum_air_at(const Atmosphere *atmosphere, const double wavelength
 }
 
 /* `law` says what the values have to follow. */
-static bool check_values(const Atmosphere *atmosphere, const char *name, const double values[3],
-                         const double expected[3], const char *law, Error *error) {
+static bool check_values(const char *name, const double values[3], const double expected[3], const char *law,
+                         Error *error) {
     for (int c = 0; c < 3; c++) {
         if (fabs(values[c] - expected[c]) <= most_off * expected[c]) continue;
-        return error_set(
-            error, STATUS_USAGE,
-            "atmosphere.spectrum=%g needs atmosphere.%s within %g %% of %.4g,%.4g,%.4g, which %s; "
-            "for %.4g,%.4g,%.4g use atmosphere.spectrum=rgb",
-            atmosphere->spectrum, name, 100 * most_off, expected[0], expected[1], expected[2], law, values[0],
-            values[1], values[2]);
+        return error_set(error, STATUS_USAGE,
+                         "a spectrum needs atmosphere.%s within %g %% of %.4g,%.4g,%.4g, which %s; for "
+                         "%.4g,%.4g,%.4g use atmosphere.spectrum=rgb",
+                         name, 100 * most_off, expected[0], expected[1], expected[2], law, values[0],
+                         values[1], values[2]);
     }
     return true;
 }
@@ -103,11 +102,10 @@ static bool check_wavelengths(const Atmosphere *atmosphere, Error *error) {
     const double *nm = atmosphere->wavelengths_nm;
     if (nm[0] <= SPECTRUM_LONGEST_NM && nm[0] > nm[1] && nm[1] > nm[2] && nm[2] >= SPECTRUM_SHORTEST_NM)
         return true;
-    return error_set(
-        error, STATUS_USAGE,
-        "atmosphere.spectrum=%g needs atmosphere.wavelengths_nm that fall from R to B, from %g to "
-        "%g; for %.9g,%.9g,%.9g use atmosphere.spectrum=rgb",
-        atmosphere->spectrum, SPECTRUM_LONGEST_NM, SPECTRUM_SHORTEST_NM, nm[0], nm[1], nm[2]);
+    return error_set(error, STATUS_USAGE,
+                     "a spectrum needs atmosphere.wavelengths_nm that fall from R to B, from %g to "
+                     "%g; for %.9g,%.9g,%.9g use atmosphere.spectrum=rgb",
+                     SPECTRUM_LONGEST_NM, SPECTRUM_SHORTEST_NM, nm[0], nm[1], nm[2]);
 }
 
 bool spectrum_check(const Atmosphere *atmosphere, Error *error) {
@@ -115,14 +113,13 @@ bool spectrum_check(const Atmosphere *atmosphere, Error *error) {
     if (!check_wavelengths(atmosphere, error)) return false;
     Atmosphere air = spectrum_air_at(atmosphere, atmosphere->wavelengths_nm);
     return (atmosphere->rayleigh == 0 ||
-            check_values(atmosphere, "rayleigh_scatter_per_m", atmosphere->rayleigh_scatter_per_m,
+            check_values("rayleigh_scatter_per_m", atmosphere->rayleigh_scatter_per_m,
                          air.rayleigh_scatter_per_m, "follow from the green value for air", error)) &&
            (atmosphere->mie == 0 ||
-            check_values(atmosphere, "mie_scatter_per_m", atmosphere->mie_scatter_per_m,
-                         air.mie_scatter_per_m, "follow from the green value and atmosphere.mie_angstrom",
-                         error)) &&
+            check_values("mie_scatter_per_m", atmosphere->mie_scatter_per_m, air.mie_scatter_per_m,
+                         "follow from the green value and atmosphere.mie_angstrom", error)) &&
            (atmosphere->ozone == 0 ||
-            check_values(
-                atmosphere, "ozone_absorb_per_m", atmosphere->ozone_absorb_per_m, air.ozone_absorb_per_m,
-                "are ozone's at atmosphere.wavelengths_nm (atmosphere.ozone multiplies them)", error));
+            check_values("ozone_absorb_per_m", atmosphere->ozone_absorb_per_m, air.ozone_absorb_per_m,
+                         "are ozone's at atmosphere.wavelengths_nm (atmosphere.ozone multiplies them)",
+                         error));
 }

@@ -1,0 +1,40 @@
+#include "cmd/sky_job.h"
+
+#include "base/vec3.h"
+#include "choice/auto.h"
+#include "cmd/setup.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* The target error for auto. It allows a third of it as bias, and a map has no other error. */
+static const double map_error_percent = 0.3;
+
+void sky_job_direction(double elevation_deg, double azimuth_deg, double out[3]) {
+    double level = cos(elevation_deg * degree);
+    out[0] = level * sin(azimuth_deg * degree);
+    out[1] = sin(elevation_deg * degree);
+    out[2] = level * cos(azimuth_deg * degree);
+}
+
+bool sky_job_open(SkyJob *job, const Atmosphere *air, double directions, Error *error) {
+    AutoWish wish = {.error_percent = map_error_percent,
+                     .samples = 1,
+                     .pixels = directions,
+                     .sun_elevation_deg = job->scene.values.sun.elevation_deg,
+                     .atmosphere = air};
+    MethodChoice choice;
+    if (!setup_library(job->options, &job->library, error)) return false;
+    job->sources = source_store_create(job->library);
+    return auto_sky(&choice, job->options->sky, &wish, error) &&
+           context_open(&job->context, job->options->backend, error) &&
+           sky_probe_create(&job->probe, &job->context, job->sources, &choice, air, error);
+}
+
+void sky_job_close(SkyJob *job) {
+    sky_probe_destroy(&job->probe);
+    context_close(&job->context);
+    scene_destroy(&job->scene);
+    source_store_release(job->sources);
+    free(job->library);
+}
