@@ -38,3 +38,10 @@ check-view: $(BUILD)/magichour $(BUILD)/tests/test_window_load
 
 measure-view: $(BUILD)/magichour $(BUILD)/tests/test_window_load
 	MAGICHOUR=$$PWD/$< $(BUILD)/tests/test_window_load measure scenes/crater.glsl 640x360
+
+# The program of tools/spectrum.sh.
+$(BUILD)/tools/spectrum_fit: $(BUILD)/tools/spectrum_fit.o $(BUILD)/tests/colors.o $(LIBRARY) $(KEEP)
+	@echo link $@
+	@$(CXX) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+-include $(wildcard $(BUILD)/tools/*.d)
