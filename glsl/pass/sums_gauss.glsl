@@ -1,6 +1,7 @@
 // --sky gauss:n
 #include "pass/atmosphere.glsl"
 #include <absorber>
+#include <view-column>
 #include <gauss-nodes>
 #include "sky/gauss.glsl"
 

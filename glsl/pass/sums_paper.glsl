@@ -1,6 +1,7 @@
 // --sky paper:NxM
 #include "pass/atmosphere.glsl"
 #include <absorber>
+#include <view-column>
 #include "sky/paper.glsl"
 
 uniform int sky_view_samples;

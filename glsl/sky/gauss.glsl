@@ -1,4 +1,4 @@
-// Gauss-Legendre quadrature along the view ray, with GAUSS_NODES nodes a segment. The host defines this constant. Columns toward the sun are in
+// Gauss-Legendre quadrature along the view ray, with gauss_count() nodes a segment, GAUSS_NODES at most. The includer defines both. Columns toward the sun are in
 // closed form, and columns back to the eye come from the densities at the nodes.
 //
 // The ray is cut where the integrand is not smooth: at its perigee, at the planet's shadow, and where sunlight has passed half a scale height above
@@ -13,6 +13,8 @@
 
 float absorber_column_to_top(Atmosphere a, float h, float b);
 float absorber_column_between(Atmosphere a, float h, float b, float h_t, float t);
+// What the columns of air and aerosols between the eye and a point count.
+vec2 view_column(vec2 column);
 
 // The c of the formula above. This value is the best or near to it for 4 to 12 nodes, by measurement.
 const float GAUSS_CROWDING = 0.5;
@@ -29,8 +31,42 @@ struct GaussTable {
 // The largest number of segments. The perigee and the four ends of two shadows make five cuts.
 const int GAUSS_SEGMENTS = 6;
 
+// The nodes of a segment.
+struct GaussNodes {
+    float t[GAUSS_NODES];
+    float h[GAUSS_NODES];
+    vec2 density[GAUSS_NODES];
+    // dt/du at the nodes.
+    float stretch[GAUSS_NODES];
+    // The columns of the whole segment.
+    vec2 total;
+};
+
 float gauss_cut(float from, float cut, float candidate) {
     return candidate > from && candidate < cut ? candidate : cut;
+}
+
+GaussNodes gauss_nodes(Atmosphere a, GaussTable table, float h, float r, float b, float from, float to, bool descends) {
+    GaussNodes nodes;
+    nodes.total = vec2(0.0);
+    for (int i = 0; i < gauss_count(); i++) {
+        float u = table.node[i];
+        float s = 1.0 / (1.0 + GAUSS_CROWDING - u);
+        float x = (to - from) * GAUSS_CROWDING * u * s;
+        nodes.t[i] = descends ? to - x : from + x;
+        nodes.h[i] = altitude_along(h, r, b, nodes.t[i]);
+        nodes.density[i] = densities(a, nodes.h[i]);
+        nodes.stretch[i] = (to - from) * GAUSS_CROWDING * (1.0 + GAUSS_CROWDING) * s * s;
+        nodes.total += table.weight[i] * nodes.stretch[i] * nodes.density[i];
+    }
+    return nodes;
+}
+
+// Returns the columns from the segment's begin to node i.
+vec2 gauss_column(GaussTable table, GaussNodes nodes, int i, bool descends) {
+    vec2 column = vec2(0.0);
+    for (int j = 0; j < gauss_count(); j++) column += table.cumulative[12 * i + j] * nodes.stretch[j] * nodes.density[j];
+    return descends ? nodes.total - column : column;
 }
 
 SkySums sky_gauss(Atmosphere a, GaussTable table, float h, vec3 view, vec3 sun) {
@@ -51,35 +87,18 @@ SkySums sky_gauss(Atmosphere a, GaussTable table, float h, vec3 view, vec3 sun) 
         float middle = 0.5 * (from + to);
         bool descends = middle < -b;
         bool dark = in_planet_shadow(a, altitude_along(h, r, b, middle), r * sun.y + middle * nu);
-        float t[GAUSS_NODES];
-        float h_t[GAUSS_NODES];
-        vec2 density[GAUSS_NODES];
-        // dt/du at the nodes.
-        float stretch[GAUSS_NODES];
-        vec2 total = vec2(0.0);
-        for (int i = 0; i < GAUSS_NODES; i++) {
-            float u = table.node[i];
-            float s = 1.0 / (1.0 + GAUSS_CROWDING - u);
-            float x = (to - from) * GAUSS_CROWDING * u * s;
-            t[i] = descends ? to - x : from + x;
-            h_t[i] = altitude_along(h, r, b, t[i]);
-            density[i] = densities(a, h_t[i]);
-            stretch[i] = (to - from) * GAUSS_CROWDING * (1.0 + GAUSS_CROWDING) * s * s;
-            total += table.weight[i] * stretch[i] * density[i];
-        }
-        for (int i = 0; i < GAUSS_NODES; i++) {
-            vec2 column = vec2(0.0);
-            for (int j = 0; j < GAUSS_NODES; j++) column += table.cumulative[12 * i + j] * stretch[j] * density[j];
-            column = max(column_before + (descends ? total - column : column), vec2(0.0));
-            float b_sun = r * sun.y + t[i] * nu;
-            column += columns_to_top(a, h_t[i], b_sun, density[i]);
-            float absorber = absorber_column_between(a, h, b, h_t[i], t[i]) + absorber_column_to_top(a, h_t[i], b_sun);
+        GaussNodes nodes = gauss_nodes(a, table, h, r, b, from, to, descends);
+        for (int i = 0; i < gauss_count(); i++) {
+            vec2 column = view_column(max(column_before + gauss_column(table, nodes, i, descends), vec2(0.0)));
+            float b_sun = r * sun.y + nodes.t[i] * nu;
+            column += columns_to_top(a, nodes.h[i], b_sun, nodes.density[i]);
+            float absorber = absorber_column_between(a, h, b, nodes.h[i], nodes.t[i]) + absorber_column_to_top(a, nodes.h[i], b_sun);
             vec3 light = transmittance_of(a, column, absorber);
-            light *= dark ? 0.0 : table.weight[i] * stretch[i];
-            sums.rayleigh += light * density[i].x;
-            sums.mie += light * density[i].y;
+            light *= dark ? 0.0 : table.weight[i] * nodes.stretch[i];
+            sums.rayleigh += light * nodes.density[i].x;
+            sums.mie += light * nodes.density[i].y;
         }
-        column_before += total;
+        column_before += nodes.total;
         from = to;
         segment += 1;
     } while (from < air.end && segment < GAUSS_SEGMENTS);

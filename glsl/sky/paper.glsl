@@ -3,6 +3,8 @@
 #include "sky/sums.glsl"
 
 float absorber_density(Atmosphere a, float h);
+// What the columns of air and aerosols between the eye and a point count.
+vec2 view_column(vec2 column);
 
 SkySums sky_paper(Atmosphere a, float h, vec3 view, vec3 sun, int view_samples, int light_samples) {
     float r = a.planet_radius_m + h;
@@ -33,7 +35,7 @@ SkySums sky_paper(Atmosphere a, float h, vec3 view, vec3 sun, int view_samples, 
             absorber += back_step * absorber_density(a, h_back) + sun_step * absorber_density(a, h_sun);
             j += 1;
         } while (j < light_samples);
-        vec3 light = transmittance_of(a, back * back_step + toward_sun * sun_step, absorber);
+        vec3 light = transmittance_of(a, view_column(back * back_step) + toward_sun * sun_step, absorber);
         light *= in_planet_shadow(a, h_t, b_sun) ? 0.0 : view_step;
         vec2 density = densities(a, h_t);
         sums.rayleigh += light * density.x;

@@ -31,12 +31,18 @@ static const MethodFamilyRow families[METHOD_FAMILIES] = {
                       "that has bounds, else cosine"},
     [METHOD_SEQUENCE] = {"--sequence", "sobol", "sobol"},
     [METHOD_SUN] = {"--sun-disk", "sampled", "sampled"},
+    [METHOD_FURTHER] = {"--further", "harmonics:10", "harmonics:10"},
 };
 
 static bool parse_gauss(MethodChoice *choice, const char *number, Error *error);
 static bool parse_paper(MethodChoice *choice, const char *numbers, Error *error);
 static bool parse_table(MethodChoice *choice, const char *text, Error *error);
 static bool parse_uniform(MethodChoice *choice, const char *number, Error *error);
+static bool parse_harmonics(MethodChoice *choice, const char *number, Error *error);
+
+/* The degrees of harmonics that there is a plan for (sky/orders_plan.h). */
+static const int degrees[] = {8, 10, 14};
+enum { DEFAULT_DEGREE = 10 };
 
 static const Method methods[] = {
     {.family = METHOD_SKY,
@@ -128,6 +134,15 @@ static const Method methods[] = {
      .file = "pass/sun_chance.glsl",
      .about = "rays meet the disk only by chance; a check of the other method, far noisier",
      .has_disk = true},
+
+    {.family = METHOD_FURTHER,
+     .name = "harmonics",
+     .form = "harmonics[:n]",
+     .about =
+         "the further orders of scattering from spherical harmonics up to degree n, 8, 10 (default) or 14",
+     .parse = parse_harmonics,
+     .numbers = NUMBERS_DEGREE,
+     .variants = {"harmonics:8", "harmonics:10", "harmonics:14"}},
 };
 
 const MethodFamilyRow *method_family(MethodFamily family) {
@@ -177,6 +192,19 @@ static bool parse_uniform(MethodChoice *choice, const char *number, Error *error
     choice->level = 1;
     if (number && !number_parse_range("--sky uniform", number, 0, 1e6, &choice->level, error)) return false;
     snprintf(choice->text, sizeof choice->text, "uniform:%g", choice->level);
+    return true;
+}
+
+static bool parse_harmonics(MethodChoice *choice, const char *number, Error *error) {
+    unsigned long long n = DEFAULT_DEGREE;
+    bool ok = !number || count_parse(number, &n), known = false;
+    for (size_t i = 0; i < sizeof degrees / sizeof *degrees; i++) known = known || n == (unsigned)degrees[i];
+    if (!ok || !known) {
+        return error_set(error, STATUS_USAGE,
+                         "--further: 'harmonics:%s' is not harmonics:n with n of 8, 10 or 14", number);
+    }
+    choice->degree = (int)n;
+    snprintf(choice->text, sizeof choice->text, "harmonics:%d", choice->degree);
     return true;
 }
 

@@ -11,11 +11,18 @@ typedef enum MethodFamily {
     METHOD_LIGHT,
     METHOD_SEQUENCE,
     METHOD_SUN,
+    METHOD_FURTHER,
     METHOD_FAMILIES
 } MethodFamily;
 
 /* Which numbers a method takes behind its name: they say which member of MethodChoice's union is set. */
-typedef enum MethodNumbers { NUMBERS_NONE, NUMBERS_NODES, NUMBERS_STEPS, NUMBERS_LEVEL } MethodNumbers;
+typedef enum MethodNumbers {
+    NUMBERS_NONE,
+    NUMBERS_NODES,
+    NUMBERS_STEPS,
+    NUMBERS_LEVEL,
+    NUMBERS_DEGREE
+} MethodNumbers;
 
 enum { METHOD_MOST_VARIANTS = 3 };
 
@@ -93,6 +100,7 @@ struct MethodChoice {
         int nodes;
         MethodSteps steps;
         double level;
+        int degree;
     };
 };
 

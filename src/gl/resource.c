@@ -152,9 +152,10 @@ static bool draw(Resource *resource, const Resources *before, const void *frame,
     program_use(&resource->program);
     program_set(&resource->program, uniforms);
     resources_give(before, &resource->program);
-    for (int i = 0; i < RESOURCE_INPUTS; i++) {
-        const char *sampler = resource->kind->input_samplers[i];
-        if (sampler) program_set_texture(&resource->program, sampler, resource->inputs[i]->textures[0]);
+    for (int i = 0; i < RESOURCE_INPUTS * RESOURCE_TEXTURES; i++) {
+        int input = i / RESOURCE_TEXTURES, t = i % RESOURCE_TEXTURES;
+        const char *sampler = resource->kind->input_samplers[input][t];
+        if (sampler) program_set_texture(&resource->program, sampler, resource->inputs[input]->textures[t]);
     }
     if (!program_check(&resource->program, error)) return false;
     gl->BindFramebuffer(GL_FRAMEBUFFER, resource->framebuffer);

@@ -24,8 +24,9 @@ struct ResourceKind {
     GLint filter;
     /* The kinds that are filled before this one, because `entry` or compute() reads them. */
     const ResourceKind *inputs[RESOURCE_INPUTS];
-    /* The samplers through which `entry` reads texture 0 of an input, where they are not the input's own. */
-    const char *input_samplers[RESOURCE_INPUTS];
+    /* The samplers through which `entry` reads the textures of an input, where they are not the input's own.
+     */
+    const char *input_samplers[RESOURCE_INPUTS][RESOURCE_TEXTURES];
     /* Whether a frame needs it even if no other table does. An input of a table that is needed is needed
      * too. */
     bool (*wanted)(const void *frame);

@@ -4,6 +4,7 @@
 #include "choice/auto.h"
 #include "gl/loops.h"
 #include "render/inputs.h"
+#include "sky/further.h"
 #include "sky/sky.h"
 #include "sky/sun.h"
 
@@ -168,6 +169,8 @@ bool plan_counts_chance(const Plan *plan) {
 bool plan_choose(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
     plan->max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS;
     plan->ozone = params->scene->values.atmosphere.ozone > 0;
+    plan->further = further_is_there(&params->scene->values.atmosphere);
+    plan->orders = params->scene->values.atmosphere.orders > 1;
     plan->spectrum = params->scene->values.atmosphere.spectrum;
     return choose_methods(plan, params, error) && choose_group(plan, params, context, error);
 }
@@ -180,5 +183,6 @@ bool plan_make(Plan *plan, const RenderParams *params, const Context *context, E
 bool plan_same_programs(const Plan *a, const Plan *b) {
     return strcmp(a->sky.text, b->sky.text) == 0 && strcmp(a->light.text, b->light.text) == 0 &&
            strcmp(a->sequence.text, b->sequence.text) == 0 && strcmp(a->sun.text, b->sun.text) == 0 &&
-           a->ozone == b->ozone && a->spectrum == b->spectrum;
+           a->ozone == b->ozone && a->spectrum == b->spectrum && a->further == b->further &&
+           a->orders == b->orders;
 }

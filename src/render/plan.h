@@ -60,6 +60,8 @@ typedef struct Plan {
     /* Whether the air has ozone, and how its colours are computed. They are compiled in. */
     bool ozone;
     double spectrum;
+    /* Whether the sky has light beyond the first order of the air, and whether it has further orders. */
+    bool further, orders;
 } Plan;
 
 /* Makes the plan. `context` is where the picture will be drawn, and its limit of loops may be measured there;

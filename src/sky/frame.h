@@ -16,6 +16,8 @@ typedef struct SkyState {
 typedef struct Frame {
     SkyState state;
     const MethodChoice *sky;
+    /* The quality of the further orders of scattering. NULL for the default. */
+    const MethodChoice *further;
     /* These are NULL if there is only a sky and no scene. */
     const MethodChoice *light, *sun_disk;
     const Scene *scene;

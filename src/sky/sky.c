@@ -1,6 +1,7 @@
 #include "sky/sky.h"
 
 #include "choice/bias.h"
+#include "sky/further.h"
 #include "sky/gauss_table.h"
 #include "sky/sky_spectrum.h"
 
@@ -12,23 +13,32 @@ double sky_horizon_sine(const Atmosphere *atmosphere) {
     return -sqrt(h * (2 * r + h)) / (r + h);
 }
 
+double sky_limb_sine(const Atmosphere *atmosphere) {
+    double r = atmosphere->planet_radius_m, h = atmosphere->observer_height_m;
+    double top = atmosphere->top_radius_m - r;
+    return h > top ? -sqrt((h - top) * (2 * r + h + top)) / (r + h) : 1;
+}
+
 void sky_slots(SlotList *slots, const MethodChoice *choice, const Atmosphere *atmosphere) {
     const char *sky = choice->table                ? "pass/sky_table.glsl"
                       : choice->method->integrates ? "pass/sky_direct.glsl"
                                                    : choice->method->file;
-    char nodes[48];
-    snprintf(nodes, sizeof nodes, "const int GAUSS_NODES = %d;",
-             choice->method->numbers == NUMBERS_NODES ? choice->nodes : 0);
+    char nodes[96];
+    int count = choice->method->numbers == NUMBERS_NODES ? choice->nodes : 0;
+    snprintf(nodes, sizeof nodes, "const int GAUSS_NODES = %d;\nint gauss_count() { return %d; }", count,
+             count);
     slot_file(slots, "sky", sky);
     slot_file(slots, "sums", choice->method->file);
     slot_file(slots, "absorber",
               atmosphere->ozone > 0 ? "sky/absorber_ozone.glsl" : "sky/absorber_none.glsl");
     slot_text(slots, "gauss-nodes", nodes);
+    further_slots(slots, atmosphere);
     sky_spectrum_slots(slots, atmosphere);
 }
 
 void sky_key(const void *frame, Text *key) {
     const SkyState *state = &((const Frame *)frame)->state;
+    further_key(frame, key);
     text_append(key, &state->atmosphere, sizeof state->atmosphere);
     text_append(key, &state->sun.elevation_deg, sizeof state->sun.elevation_deg);
 }
@@ -74,6 +84,7 @@ static void method_uniforms(const MethodChoice *choice, Uniforms *uniforms) {
     case NUMBERS_LEVEL:
         uniforms_float(uniforms, "sky_level", choice->level);
         break;
+    case NUMBERS_DEGREE:
     case NUMBERS_NONE:
         break;
     }
@@ -85,6 +96,7 @@ void sky_uniforms(const Frame *frame, Uniforms *uniforms) {
     uniforms_vec3(uniforms, "sun_level", frame->state.sun.level);
     atmosphere_uniforms(&frame->state.atmosphere, uniforms);
     sky_spectrum_uniforms(&frame->state.atmosphere, uniforms);
+    further_uniforms(frame, uniforms);
     method_uniforms(frame->sky, uniforms);
 }
 
@@ -104,7 +116,6 @@ static void table_size(const void *data, int *columns, int *rows) {
 static void table_uniforms(const Resource *table, const void *data, Uniforms *uniforms) {
     const Frame *frame = data;
     const Atmosphere *a = &frame->state.atmosphere;
-    double r = a->planet_radius_m, h = a->observer_height_m, top = a->top_radius_m - r;
     int columns, rows;
     (void)table;
     table_size(frame, &columns, &rows);
@@ -112,7 +123,7 @@ static void table_uniforms(const Resource *table, const void *data, Uniforms *un
     uniforms_declared_in(uniforms, "pass/sky_table_size.glsl");
     uniforms_vec3(uniforms, "sky_table_size", size);
     uniforms_float(uniforms, "sky_horizon", sky_horizon_sine(a));
-    uniforms_float(uniforms, "sky_limb", h > top ? -sqrt((h - top) * (2 * r + h + top)) / (r + h) : 1);
+    uniforms_float(uniforms, "sky_limb", sky_limb_sine(a));
 }
 
 const ResourceKind sky_table = {.name = "the sky's table",

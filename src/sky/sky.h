@@ -8,6 +8,9 @@
 /* The sine of the elevation of the observer's visible horizon, at most 0. */
 double sky_horizon_sine(const Atmosphere *atmosphere);
 
+/* The sine of the elevation at which the air ends, seen from above it; 1 from within. */
+double sky_limb_sine(const Atmosphere *atmosphere);
+
 /* Fills <sky>, <sums>, <absorber>, <gauss-nodes> and the slots of sky/sky_spectrum.h. Without ozone the files
  * leave it out. */
 void sky_slots(SlotList *slots, const MethodChoice *choice, const Atmosphere *atmosphere);

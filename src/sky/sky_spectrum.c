@@ -1,15 +1,17 @@
 #include "sky/sky_spectrum.h"
 
 #include "scene/spectrum.h"
+#include "sky/further.h"
 
 #include <stdio.h>
 
-static bool has_spectrum(const Atmosphere *atmosphere) {
-    return atmosphere->spectrum != SPECTRUM_RGB;
+/* The further light is a colour. An air without a spectrum that has it counts as one band. */
+static bool has_bands(const Atmosphere *atmosphere) {
+    return atmosphere->spectrum != SPECTRUM_RGB || further_is_there(atmosphere);
 }
 
 void sky_spectrum_slots(SlotList *slots, const Atmosphere *atmosphere) {
-    bool bands = has_spectrum(atmosphere);
+    bool bands = has_bands(atmosphere);
     char count[40];
     snprintf(count, sizeof count, "const int BANDS = %d;", spectrum_bands(atmosphere));
     slot_file(slots, "spectrum", bands ? "pass/spectrum_bands.glsl" : "pass/spectrum_rgb.glsl");
@@ -31,6 +33,7 @@ static void band_uniforms(const Atmosphere *atmosphere, int band, Uniforms *unif
     Atmosphere air = spectrum_band(atmosphere, band);
     double matrix[3][3];
     spectrum_matrix(atmosphere, band, matrix);
+    for (int c = 0; atmosphere->spectrum == SPECTRUM_RGB && c < 3; c++) matrix[c][c] = air.sun_irradiance[c];
     add_vec3(uniforms, "band_rayleigh_scatter_per_m", band, air.rayleigh_scatter_per_m, air.rayleigh);
     add_vec3(uniforms, "band_mie_scatter_per_m", band, air.mie_scatter_per_m, air.mie);
     add_vec3(uniforms, "band_mie_extinction_per_m", band, air.mie_scatter_per_m,
@@ -43,7 +46,7 @@ static void band_uniforms(const Atmosphere *atmosphere, int band, Uniforms *unif
 }
 
 void sky_spectrum_uniforms(const Atmosphere *atmosphere, Uniforms *uniforms) {
-    if (!has_spectrum(atmosphere)) {
+    if (!has_bands(atmosphere)) {
         uniforms_declared_in(uniforms, "pass/spectrum_rgb.glsl");
         uniforms_vec3(uniforms, "ground_albedo", atmosphere->ground_albedo);
         return;

@@ -2,6 +2,7 @@
 #include "air.glsl"
 #include "sky/absorber_none.glsl"
 #include "sky/paper.glsl"
+#include "sky/view_column_whole.glsl"
 
 vec3 sun_direction;
 

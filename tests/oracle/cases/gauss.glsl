@@ -3,7 +3,13 @@
 #include "../item.glsl"
 #include "sky/absorber_ozone.glsl"
 
+#include "sky/view_column_whole.glsl"
+
 const int GAUSS_NODES = 8;
+
+int gauss_count() {
+    return GAUSS_NODES;
+}
 #include "sky/gauss.glsl"
 #include "../gauss_table_8.glsl"
 

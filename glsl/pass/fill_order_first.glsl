@@ -1,0 +1,23 @@
+#version 330 core
+// The field of order 1 at each point and in each direction: sunlight that was scattered once, by the air or by the ground.
+#include "pass/orders.glsl"
+#include "pass/order_directions.glsl"
+
+// The radiance times the direction's solid angle.
+layout(location = 0) out vec4 light;
+layout(location = 1) out vec4 angles;
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    OrderPoint point = order_point(order_grid, atmosphere.thickness_m, texel.y);
+    Atmosphere air = band_air(point.band);
+    OrderDirection direction = order_direction(air.planet_radius_m, point.h, texel.x);
+    vec3 view = order_view(direction);
+    SkySums sums = sky_gauss(air, order_gauss, point.h, view, point.sun);
+    vec3 sky = sums.rayleigh * air.rayleigh_scatter_per_m * rayleigh_phase(view, point.sun) +
+               sums.mie * air.mie_scatter_per_m * mie_phase(air.mie_g, view, point.sun);
+    OrderEnd end = order_end(air, point.h, view, point.sun, order_columns(air, point.h, view));
+    vec3 ground = end.kept * band_ground(point.band) / PI * order_sunlight(air, end.sine);
+    light = vec4((sky + ground) * direction.solid_angle, 0.0);
+    angles = order_angles(point, direction, view);
+}

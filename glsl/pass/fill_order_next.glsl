@@ -1,0 +1,28 @@
+#version 330 core
+// The field of an order, at each point and in each direction, from the moments of the order before: light that the air scattered, and that the
+// ground reflected.
+#include "pass/orders.glsl"
+#include "pass/order_directions.glsl"
+
+uniform sampler2D order_before;
+// The degree up to which the texture has harmonics, and that up to which they are used.
+uniform int order_before_degree;
+uniform int order_most;
+
+// The radiance times the direction's solid angle.
+layout(location = 0) out vec4 light;
+layout(location = 1) out vec4 angles;
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    OrderPoint point = order_point(order_grid, atmosphere.thickness_m, texel.y);
+    Atmosphere air = band_air(point.band);
+    OrderDirection direction = order_direction(air.planet_radius_m, point.h, texel.x);
+    vec3 view = order_view(direction);
+    vec2 column;
+    vec3 sky = order_gather(order_before, order_before_degree, order_most, point.band, air, point.h, view, point.sun, column);
+    OrderEnd end = order_end(air, point.h, view, point.sun, column);
+    vec3 ground = end.kept * band_ground(point.band) / PI * order_ground(order_before, order_before_degree, point.band, air, end.sine);
+    light = vec4((sky + ground) * direction.solid_angle, 0.0);
+    angles = order_angles(point, direction, view);
+}

@@ -1,0 +1,57 @@
+// The directions in which the field of an order is computed, one for each texel across. The elevations above the local horizon come first; from there the
+// sine grows with the square of u, so that directions crowd at the horizon. Azimuths are the middles of equal parts of half a turn from the sun.
+#include "sky/orders.glsl"
+
+// Elevations above and below the horizon, and azimuths.
+uniform vec3 order_directions;
+// The nodes of u and their weights: first those above, then those below.
+uniform float order_elevation[32];
+uniform float order_elevation_weight[32];
+
+struct OrderDirection {
+    // The sine of the direction's elevation.
+    float mu;
+    float cos_azimuth;
+    float sin_azimuth;
+    // Its solid angle, in sr, on both sides of the sun.
+    float solid_angle;
+};
+
+OrderDirection order_direction(float planet_radius_m, float h, int index) {
+    int azimuths = int(order_directions.z + 0.5);
+    int elevation = index / azimuths;
+    bool below = elevation >= int(order_directions.x + 0.5);
+    float horizon = -sqrt(h * (2.0 * planet_radius_m + h)) / (planet_radius_m + h);
+    float reach = below ? -1.0 - horizon : 1.0 - horizon;
+    float u = order_elevation[elevation];
+    float azimuth = PI * (float(index - elevation * azimuths) + 0.5) / order_directions.z;
+    return OrderDirection(horizon + reach * u * u, cos(azimuth), sin(azimuth),
+                          abs(reach) * 2.0 * u * order_elevation_weight[elevation] * 2.0 * PI / order_directions.z);
+}
+
+// What a row of the textures of light stands for.
+struct OrderPoint {
+    int band;
+    float h;
+    // The sun's direction; x is level.
+    vec3 sun;
+};
+
+OrderPoint order_point(OrderGrid grid, float top, int row) {
+    int columns = int(grid.columns + 0.5);
+    int points = columns * int(grid.rows + 0.5);
+    int point = row % points;
+    vec2 sun = order_sun(grid, float(point % columns));
+    return OrderPoint(row / points, order_altitude(grid, top, float(point / columns)), vec3(sun, 0.0));
+}
+
+vec3 order_view(OrderDirection direction) {
+    float level = sqrt(max(1.0 - direction.mu * direction.mu, 0.0));
+    return vec3(level * direction.cos_azimuth, direction.mu, level * direction.sin_azimuth);
+}
+
+// What the moments need of a direction: its cosine to the sun, the azimuth about the sun, and the sine of its elevation.
+vec4 order_angles(OrderPoint point, OrderDirection direction, vec3 view) {
+    float nu = dot(view, point.sun);
+    return vec4(nu, order_azimuth(direction.mu, point.sun.y, point.sun.x, nu), direction.mu, 0.0);
+}

@@ -1,0 +1,33 @@
+/* Real spherical harmonics about the direction of the sun, and phase functions as sums of Legendre
+ * polynomials: what the further orders of scattering are made of (glsl/sky/README.md).
+ *
+ * Only harmonics that are even in the azimuth are needed. Those up to a degree are numbered by their order m
+ * first and by their degree l within it: (m,l) = (0,0), (0,1) ... (0,most), (1,1), (1,2) ... */
+#pragma once
+
+enum {
+    HARMONICS_MOST_DEGREE = 24,
+    HARMONICS_MOST = (HARMONICS_MOST_DEGREE + 1) * (HARMONICS_MOST_DEGREE + 2) / 2
+};
+
+/* The number of harmonics up to a degree. */
+int harmonics_count(int most);
+
+/* The number of the harmonic of order m and degree l among those up to `most`. */
+int harmonics_index(int most, int l, int m);
+
+/* The recurrence Y(l,m) = rise (nu Y(l-1,m) - fall Y(l-2,m)) of the normalised Legendre functions of nu, for
+ * l > m. For l = m, Y(m,m) = rise sqrt(1 - nu^2) Y(m-1,m-1), with Y(0,0) = rise. */
+typedef struct HarmonicStep {
+    double rise, fall;
+} HarmonicStep;
+
+HarmonicStep harmonics_step(int l, int m);
+
+/* All harmonics up to a degree in the direction whose cosine to the axis is `nu` and whose azimuth has the
+ * cosine `cos_psi`. They are orthonormal over the sphere. */
+void harmonics_at(int most, double nu, double cos_psi, double *values);
+
+/* The Legendre coefficients 0 to `most` of the phase function of Cornette and Shanks: chi_l is the integral
+ * of P_l(nu) p(nu) over the sphere, so that chi_0 is 1. Accurate to 1e-9. */
+void harmonics_mie(double g, int most, double *chi);
