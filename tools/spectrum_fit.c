@@ -280,7 +280,7 @@ static void report_line(const char *words, const Errors *e) {
 }
 
 static void report(const Fit *fit, const char *title) {
-    static const double suns[] = {90, 45, 12, 7, 3, 1, -1, -3, -5, -90};
+    static const double suns[] = {90, 15, 0.5, -2.5, -90};
     fprintf(stderr, "%s:", title);
     for (int i = 0; i < fit->count; i++) fprintf(stderr, " %g", colors_wavelength_nm(fit->sample[i]));
     fprintf(stderr, " nm, largest number of the matrix %.2f\n", largest(fit));
@@ -290,7 +290,7 @@ static void report(const Fit *fit, const char *title) {
         Errors errors = errors_of(fit, true, s, -90, 90);
         report_line(sources[s], &errors);
     }
-    for (int i = 0; i < 9; i++) {
+    for (int i = 0; i < 4; i++) {
         char words[60];
         Errors errors = errors_of(fit, true, -1, nextafter(suns[i + 1], 90), suns[i]);
         snprintf(words, sizeof words, "suns above %g, up to %g", suns[i + 1], suns[i]);
