@@ -12,18 +12,16 @@ out vec4 further;
 
 void main() {
     vec2 texel = floor(gl_FragCoord.xy);
-    float below = texel.y >= further_size.y ? 1.0 : 0.0;
-    vec3 position = vec3(texel.x / (further_size.x - 1.0), (texel.y - below * further_size.y) / (further_size.y - 1.0), below);
-    vec3 view = table_direction(further_horizon, further_limb, position, sun_level);
+    vec3 view = table_direction(further_horizon, further_limb, further_position(texel), sun_level);
     vec3 color = vec3(0.0);
     int band = 0;
     do {
         Atmosphere air = band_air(band);
-        vec2 column;
-        vec3 light = order_gather(sky_moments, sky_moments_degree, sky_moments_degree, band, air, observer_height_m, view, sun_direction, column);
-        OrderEnd end = order_end(air, observer_height_m, view, sun_direction, column);
-        vec3 irradiance = order_sunlight(air, end.sine) + order_ground(sky_moments, sky_moments_degree, band, air, end.sine);
-        color += band_color(band, light + end.kept * band_ground(band) / PI * irradiance);
+        OrderRay ray = order_ray(air, observer_height_m, view, sun_direction, ivec2(0, int(texel.y) + band * int(2.0 * further_size.y + 0.5)));
+        vec3 light = order_gather(sky_moments, sky_moments_degree, sky_moments_degree, band, air, ray);
+        float sine = order_end_sine(air, ray);
+        vec3 irradiance = order_sunlight(air, sine) + order_ground(sky_moments, sky_moments_degree, band, air, sine);
+        color += band_color(band, light + order_end_kept(ray) * band_ground(band) / PI * irradiance);
         band += 1;
     } while (band < BANDS);
     further = vec4(fourth_root(color), 0.0);

@@ -10,15 +10,13 @@ out vec4 further;
 
 void main() {
     vec2 texel = floor(gl_FragCoord.xy);
-    float below = texel.y >= further_size.y ? 1.0 : 0.0;
-    vec3 position = vec3(texel.x / (further_size.x - 1.0), (texel.y - below * further_size.y) / (further_size.y - 1.0), below);
-    vec3 view = table_direction(further_horizon, further_limb, position, sun_level);
+    vec3 view = table_direction(further_horizon, further_limb, further_position(texel), sun_level);
     vec3 color = vec3(0.0);
     int band = 0;
     do {
         Atmosphere air = band_air(band);
-        OrderEnd end = order_end(air, observer_height_m, view, sun_direction, order_columns(air, observer_height_m, view));
-        color += band_color(band, end.kept * band_ground(band) / PI * order_sunlight(air, end.sine));
+        OrderRay ray = order_ray(air, observer_height_m, view, sun_direction, ivec2(0, int(texel.y) + band * int(2.0 * further_size.y + 0.5)));
+        color += band_color(band, order_end_kept(ray) * band_ground(band) / PI * order_sunlight(air, order_end_sine(air, ray)));
         band += 1;
     } while (band < BANDS);
     further = vec4(fourth_root(color), 0.0);

@@ -2,6 +2,7 @@
 // The field of order 1 at each point and in each direction: sunlight that was scattered once, by the air or by the ground.
 #include "pass/orders.glsl"
 #include "pass/order_directions.glsl"
+#include "pass/order_nodes.glsl"
 
 // The radiance times the direction's solid angle.
 layout(location = 0) out vec4 light;
@@ -16,8 +17,8 @@ void main() {
     SkySums sums = sky_gauss(air, order_gauss, point.h, view, point.sun);
     vec3 sky = sums.rayleigh * air.rayleigh_scatter_per_m * rayleigh_phase(view, point.sun) +
                sums.mie * air.mie_scatter_per_m * mie_phase(air.mie_g, view, point.sun);
-    OrderEnd end = order_end(air, point.h, view, point.sun, order_columns(air, point.h, view));
-    vec3 ground = end.kept * band_ground(point.band) / PI * order_sunlight(air, end.sine);
+    OrderRay ray = order_ray(air, point.h, view, point.sun, order_ray_texel(order_grid, point, texel.x, 2 * rays_nodes + 1));
+    vec3 ground = order_end_kept(ray) * band_ground(point.band) / PI * order_sunlight(air, order_end_sine(air, ray));
     light = vec4((sky + ground) * direction.solid_angle, 0.0);
     angles = order_angles(point, direction, view);
 }

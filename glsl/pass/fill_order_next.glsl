@@ -19,10 +19,10 @@ void main() {
     Atmosphere air = band_air(point.band);
     OrderDirection direction = order_direction(air.planet_radius_m, point.h, texel.x);
     vec3 view = order_view(direction);
-    vec2 column;
-    vec3 sky = order_gather(order_before, order_before_degree, order_most, point.band, air, point.h, view, point.sun, column);
-    OrderEnd end = order_end(air, point.h, view, point.sun, column);
-    vec3 ground = end.kept * band_ground(point.band) / PI * order_ground(order_before, order_before_degree, point.band, air, end.sine);
+    OrderRay ray = order_ray(air, point.h, view, point.sun, order_ray_texel(order_grid, point, texel.x, 2 * rays_nodes + 1));
+    vec3 sky = order_gather(order_before, order_before_degree, order_most, point.band, air, ray);
+    vec3 irradiance = order_ground(order_before, order_before_degree, point.band, air, order_end_sine(air, ray));
+    vec3 ground = order_end_kept(ray) * band_ground(point.band) / PI * irradiance;
     light = vec4((sky + ground) * direction.solid_angle, 0.0);
     angles = order_angles(point, direction, view);
 }

@@ -6,10 +6,9 @@
 #include "sky/orders.glsl"
 
 uniform OrderGrid sum_grid;
-// The degree of order 1, and of the others.
-uniform int sum_first_degree;
-uniform int sum_degree;
-// Which orders count, from the second on, and how many orders follow the fourth (-1: all).
+// The degrees of the four orders.
+uniform vec4 sum_degrees;
+// Which of the orders 2 to 4 count, and how many orders follow the fourth (-1: all).
 uniform vec4 sum_orders;
 uniform sampler2D order_1_moments;
 uniform sampler2D order_2_moments;
@@ -18,52 +17,64 @@ uniform sampler2D order_4_moments;
 
 out vec4 moment;
 
-// The factor of the fourth order for those that follow it.
-vec3 order_tail(vec3 fourth, vec3 third) {
+// What a texel stands for: a harmonic at a point, or the irradiance of the ground.
+struct SumTexel {
+    int band;
+    ivec2 point;
+    bool ground;
+    // The harmonic's degree and order.
+    int l;
+    int m;
+};
+
+// Returns the first row of a tile in the moments of an order up to this degree. The tile is that of the texel, or with `whole` that of the number from which
+// its shares are taken.
+int sum_row(SumTexel texel, float degree, bool whole) {
+    int most = int(degree + 0.5);
+    int tiles = order_harmonics(most) + 1;
+    int tile = texel.ground ? tiles - 1 : whole ? 0 : order_harmonic(most, texel.l, texel.m);
+    return (texel.band * tiles + tile) * int(sum_grid.rows + 0.5) + texel.point.y;
+}
+
+// Returns the logarithm of an order's moment 0, or of its irradiance of the ground.
+vec3 sum_whole(sampler2D moments, SumTexel texel, float degree) {
+    return texelFetch(moments, ivec2(texel.point.x, sum_row(texel, degree, true)), 0).rgb;
+}
+
+// Returns the texel's share of moment 0 in an order; 0 if it is beyond the order's degree.
+vec3 sum_share(sampler2D moments, SumTexel texel, float degree) {
+    ivec2 at = ivec2(texel.point.x, sum_row(texel, degree, false));
+    return float(texel.l) > degree + 0.5 ? vec3(0.0) : texelFetch(moments, at, 0).rgb;
+}
+
+// Returns the factor of the fourth order for those that follow it.
+vec3 sum_tail(vec3 fourth, vec3 third) {
     vec3 ratio = min(exp(fourth - third), vec3(0.9));
     vec3 left = sum_orders.w < 0.0 ? vec3(0.0) : pow(ratio, vec3(sum_orders.w + 1.0));
     return (1.0 - left) / (1.0 - ratio);
 }
 
 void main() {
-    ivec2 texel = ivec2(gl_FragCoord.xy);
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    int most = int(sum_degrees.x + 0.5);
     int rows = int(sum_grid.rows + 0.5);
-    int tiles = order_harmonics(sum_first_degree) + 1;
-    int tile = (texel.y / rows) % tiles;
-    int band = texel.y / (rows * tiles);
-    int row = texel.y % rows;
-    bool ground = tile == tiles - 1;
-    int order = 0;
+    int tiles = order_harmonics(most) + 1;
+    int tile = (at.y / rows) % tiles;
+    SumTexel texel = SumTexel(at.y / (rows * tiles), ivec2(at.x, at.y % rows), tile == tiles - 1, 0, 0);
     int first = 0;
-    while (!ground && tile - first > sum_first_degree - order) {
-        first += sum_first_degree + 1 - order;
-        order += 1;
+    while (!texel.ground && tile - first > most - texel.m) {
+        first += most + 1 - texel.m;
+        texel.m += 1;
     }
-    int degree = order + tile - first;
-    // Where the others have this tile, and their moment 0.
-    int other_tiles = order_harmonics(sum_degree) + 1;
-    int other = ground ? other_tiles - 1 : order_harmonic(sum_degree, degree, order);
-    bool shared_tile = ground || degree <= sum_degree;
-    ivec2 at = ivec2(texel.x, (band * other_tiles + other) * rows + row);
-    ivec2 root = ivec2(texel.x, (band * other_tiles + (ground ? other : 0)) * rows + row);
-    ivec2 first_root = ivec2(texel.x, (band * tiles + (ground ? tile : 0)) * rows + row);
-    vec3 log_1 = texelFetch(order_1_moments, first_root, 0).rgb;
-    vec3 log_2 = texelFetch(order_2_moments, root, 0).rgb;
-    vec3 log_3 = texelFetch(order_3_moments, root, 0).rgb;
-    vec3 log_4 = texelFetch(order_4_moments, root, 0).rgb;
-    vec3 whole_1 = exp(log_1);
-    vec3 whole_2 = exp(log_2) * sum_orders.x;
-    vec3 whole_3 = exp(log_3) * sum_orders.y;
-    vec3 whole_4 = exp(log_4) * sum_orders.z * order_tail(log_4, log_3);
-    vec3 whole = whole_1 + whole_2 + whole_3 + whole_4;
-    if (tile == 0 || ground) {
-        moment = vec4(log(max(whole, vec3(ORDER_DARK))), 0.0);
-        return;
-    }
-    vec3 sum = whole_1 * texelFetch(order_1_moments, texel, 0).rgb;
-    if (shared_tile) {
-        sum += whole_2 * texelFetch(order_2_moments, at, 0).rgb + whole_3 * texelFetch(order_3_moments, at, 0).rgb +
-               whole_4 * texelFetch(order_4_moments, at, 0).rgb;
-    }
-    moment = vec4(sum / max(whole, vec3(ORDER_DARK)), 0.0);
+    texel.l = texel.ground ? 0 : texel.m + tile - first;
+    vec3 third = sum_whole(order_3_moments, texel, sum_degrees.z);
+    vec3 fourth = sum_whole(order_4_moments, texel, sum_degrees.w);
+    vec3 whole_1 = exp(sum_whole(order_1_moments, texel, sum_degrees.x));
+    vec3 whole_2 = exp(sum_whole(order_2_moments, texel, sum_degrees.y)) * sum_orders.x;
+    vec3 whole_3 = exp(third) * sum_orders.y;
+    vec3 whole_4 = exp(fourth) * sum_orders.z * sum_tail(fourth, third);
+    vec3 whole = max(whole_1 + whole_2 + whole_3 + whole_4, vec3(ORDER_DARK));
+    vec3 sum = whole_1 * sum_share(order_1_moments, texel, sum_degrees.x) + whole_2 * sum_share(order_2_moments, texel, sum_degrees.y) +
+               whole_3 * sum_share(order_3_moments, texel, sum_degrees.z) + whole_4 * sum_share(order_4_moments, texel, sum_degrees.w);
+    moment = vec4(tile == 0 || texel.ground ? log(whole) : sum / whole, 0.0);
 }

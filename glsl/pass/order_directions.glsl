@@ -17,21 +17,36 @@ struct OrderDirection {
     float solid_angle;
 };
 
+float order_horizon(float planet_radius_m, float h) {
+    return -sqrt(h * (2.0 * planet_radius_m + h)) / (planet_radius_m + h);
+}
+
+// Returns the distance of the sines from the local horizon to the zenith, or to the nadir (below 0) for an elevation below the horizon.
+float order_reach(float horizon, int elevation) {
+    return (elevation < int(order_directions.x + 0.5) ? 1.0 : -1.0) - horizon;
+}
+
+float order_elevation_sine(float planet_radius_m, float h, int elevation) {
+    float horizon = order_horizon(planet_radius_m, h);
+    float u = order_elevation[elevation];
+    return horizon + order_reach(horizon, elevation) * u * u;
+}
+
 OrderDirection order_direction(float planet_radius_m, float h, int index) {
     int azimuths = int(order_directions.z + 0.5);
     int elevation = index / azimuths;
-    bool below = elevation >= int(order_directions.x + 0.5);
-    float horizon = -sqrt(h * (2.0 * planet_radius_m + h)) / (planet_radius_m + h);
-    float reach = below ? -1.0 - horizon : 1.0 - horizon;
+    float reach = order_reach(order_horizon(planet_radius_m, h), elevation);
     float u = order_elevation[elevation];
     float azimuth = PI * (float(index - elevation * azimuths) + 0.5) / order_directions.z;
-    return OrderDirection(horizon + reach * u * u, cos(azimuth), sin(azimuth),
+    return OrderDirection(order_elevation_sine(planet_radius_m, h, elevation), cos(azimuth), sin(azimuth),
                           abs(reach) * 2.0 * u * order_elevation_weight[elevation] * 2.0 * PI / order_directions.z);
 }
 
 // What a row of the textures of light stands for.
 struct OrderPoint {
     int band;
+    // The row of the grid, and its altitude.
+    int row;
     float h;
     // The sun's direction; x is level.
     vec3 sun;
@@ -42,7 +57,7 @@ OrderPoint order_point(OrderGrid grid, float top, int row) {
     int points = columns * int(grid.rows + 0.5);
     int point = row % points;
     vec2 sun = order_sun(grid, float(point % columns));
-    return OrderPoint(row / points, order_altitude(grid, top, float(point / columns)), vec3(sun, 0.0));
+    return OrderPoint(row / points, point / columns, order_altitude(grid, top, float(point / columns)), vec3(sun, 0.0));
 }
 
 vec3 order_view(OrderDirection direction) {
@@ -54,4 +69,10 @@ vec3 order_view(OrderDirection direction) {
 vec4 order_angles(OrderPoint point, OrderDirection direction, vec3 view) {
     float nu = dot(view, point.sun);
     return vec4(nu, order_azimuth(direction.mu, point.sun.y, point.sun.x, nu), direction.mu, 0.0);
+}
+
+// Returns the first texel of the ray in a direction (pass/fill_order_rays.glsl). `texels` is the number of texels of a ray.
+ivec2 order_ray_texel(OrderGrid grid, OrderPoint point, int index, int texels) {
+    int elevation = index / int(order_directions.z + 0.5);
+    return ivec2(elevation * texels, point.band * int(grid.rows + 0.5) + point.row);
 }

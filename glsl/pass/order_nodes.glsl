@@ -1,8 +1,11 @@
-// The quadrature along rays of the passes that compute the further orders. Its number of nodes is a uniform, so that the loops over nodes are not written out
-// by the compiler, which takes it long.
+// Single scattering by quadrature along the ray, for the field of order 1. The number of nodes is a uniform, so that loops over nodes are not
+// written out by the compiler, which would take it long.
+#include <absorber>
+#include <view-column>
+
 uniform int order_nodes;
 
-const int GAUSS_NODES = 12;
+const int GAUSS_NODES = 8;
 
 int gauss_count() {
     return order_nodes;

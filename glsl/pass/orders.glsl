@@ -1,11 +1,9 @@
 // Lookups of the field of an order of scattering, for the passes that compute the further orders (sky/orders.glsl).
-#include "pass/order_nodes.glsl"
 #include <spectrum>
 #include <absorber>
-#include <view-column>
-#include "sky/phase.glsl"
-#include "sky/sums.glsl"
+#include "sky/column.glsl"
 #include "sky/orders.glsl"
+#include "sky/sums.glsl"
 
 uniform OrderGrid order_grid;
 // The weights of aerosols' scattering, by degree.
@@ -91,74 +89,56 @@ vec3 order_sunlight(Atmosphere air, float sine) {
     return max(sine, 0.0) * transmittance_of(air, column, absorber_column_to_top(air, 0.0, b));
 }
 
-// What a ray meets at its end.
-struct OrderEnd {
-    // The share of the ground's light that arrives; 0 if the ray ends at the top.
-    vec3 kept;
-    // The sine of the sun's elevation there.
-    float sine;
+// The nodes of rays (pass/rays.glsl).
+uniform sampler2D rays_air;
+uniform sampler2D rays_aerosols;
+// The nodes of a ray that does not pass its perigee.
+uniform int rays_nodes;
+
+struct OrderRay {
+    // Of its first node.
+    ivec2 texel;
+    // The distance from the planet's centre times the sine of elevation: of the ray at its origin, and of the sun.
+    float b;
+    float b_sun;
+    // The cosine between the ray and the sun.
+    float nu;
 };
 
-// Returns the end of a ray from altitude h whose columns to the end are known.
-OrderEnd order_end(Atmosphere air, float h, vec3 view, vec3 sun, vec2 column) {
+OrderRay order_ray(Atmosphere air, float h, vec3 view, vec3 sun, ivec2 texel) {
     float r = air.planet_radius_m + h;
-    float b = r * view.y;
-    Segment segment = atmosphere_segment(air, h, b);
-    bool ground = b < 0.0 && b * b >= h * (2.0 * air.planet_radius_m + h);
-    float absorber = absorber_column_between(air, h, b, 0.0, segment.end);
-    vec3 kept = transmittance_of(air, view_column(column), absorber);
-    return OrderEnd(ground ? kept : vec3(0.0), (r * sun.y + segment.end * dot(view, sun)) / air.planet_radius_m);
+    return OrderRay(texel, r * view.y, r * sun.y, dot(view, sun));
 }
 
-// Returns the columns of air and aerosols along a ray to its end.
-vec2 order_columns(Atmosphere air, float h, vec3 view) {
-    float r = air.planet_radius_m + h;
-    float b = r * view.y;
-    Segment path = atmosphere_segment(air, h, b);
-    vec2 column = vec2(0.0);
-    float from = path.begin;
-    int segment = 0;
-    do {
-        float to = gauss_cut(from, path.end, -b);
-        column += gauss_nodes(air, order_gauss, h, r, b, from, to, 0.5 * (from + to) < -b).total;
-        from = to;
-        segment += 1;
-    } while (from < path.end && segment < 2);
-    return column;
+// Returns the share of the ground's light that arrives; 0 where the ray ends at the top.
+vec3 order_end_kept(OrderRay ray) {
+    return texelFetch(rays_air, ray.texel + ivec2(2 * rays_nodes, 0), 0).rgb;
 }
 
-// Returns the light that a field scatters along a ray toward the eye. The columns to the ray's end are set.
-vec3 order_gather(sampler2D field, int degree, int most, int band, Atmosphere air, float h, vec3 view, vec3 sun, OUT(vec2) column_before) {
-    float r = air.planet_radius_m + h;
-    float b = r * view.y;
-    float nu = dot(view, sun);
-    Segment path = atmosphere_segment(air, h, b);
+// Returns the sine of the sun's elevation where the ray ends, for a ray that ends at the ground.
+float order_end_sine(Atmosphere air, OrderRay ray) {
+    float length = texelFetch(rays_air, ray.texel + ivec2(2 * rays_nodes, 0), 0).a;
+    return (ray.b_sun + length * ray.nu) / air.planet_radius_m;
+}
+
+// Returns the light that a field scatters along a ray toward the eye.
+vec3 order_gather(sampler2D field, int degree, int most, int band, Atmosphere air, OrderRay ray) {
+    int nodes = int(texelFetch(rays_aerosols, ray.texel + ivec2(2 * rays_nodes, 0), 0).a + 0.5);
     vec3 light = vec3(0.0);
-    column_before = vec2(0.0);
-    float from = path.begin;
-    int segment = 0;
+    int i = 0;
     do {
-        float to = gauss_cut(from, path.end, -b);
-        bool descends = 0.5 * (from + to) < -b;
-        GaussNodes nodes = gauss_nodes(air, order_gauss, h, r, b, from, to, descends);
-        int i = 0;
-        do {
-            float t = nodes.t[i];
-            float r_t = air.planet_radius_m + nodes.h[i];
-            float mu_sun = (r * sun.y + t * nu) / r_t;
-            vec3 by_air;
-            vec3 by_aerosols;
-            order_scatter(field, degree, most, band, order_place(order_grid, air.thickness_m, nodes.h[i], mu_sun), nu,
-                          order_azimuth((b + t) / r_t, mu_sun, sqrt(max(1.0 - mu_sun * mu_sun, 0.0)), nu), by_air, by_aerosols);
-            vec2 column = view_column(max(column_before + gauss_column(order_gauss, nodes, i, descends), vec2(0.0)));
-            vec3 kept = transmittance_of(air, column, absorber_column_between(air, h, b, nodes.h[i], t));
-            light += order_gauss.weight[i] * nodes.stretch[i] * kept *
-                     (by_air * nodes.density[i].x * air.rayleigh_scatter_per_m + by_aerosols * nodes.density[i].y * air.mie_scatter_per_m);
-            i += 1;
-        } while (i < gauss_count());
-        column_before += nodes.total;
-        from = to;
-        segment += 1;
-    } while (from < path.end && segment < 2);
+        vec4 air_node = texelFetch(rays_air, ray.texel + ivec2(i, 0), 0);
+        vec4 aerosols_node = texelFetch(rays_aerosols, ray.texel + ivec2(i, 0), 0);
+        float t = air_node.a;
+        float h = aerosols_node.a;
+        float r = air.planet_radius_m + h;
+        float mu_sun = (ray.b_sun + t * ray.nu) / r;
+        float azimuth = order_azimuth((ray.b + t) / r, mu_sun, sqrt(max(1.0 - mu_sun * mu_sun, 0.0)), ray.nu);
+        vec3 by_air;
+        vec3 by_aerosols;
+        order_scatter(field, degree, most, band, order_place(order_grid, air.thickness_m, h, mu_sun), ray.nu, azimuth, by_air, by_aerosols);
+        light += by_air * air_node.rgb + by_aerosols * aerosols_node.rgb;
+        i += 1;
+    } while (i < nodes);
     return light;
 }

@@ -12,17 +12,9 @@
 
 /* The mirrors come first, because drawn_mirrors_ask() fills them before all other tables. The spheres come
  * next, because only they can be refused: then no other table has been changed. */
-const ResourceKind *const picture_tables[] = {&drawn_mirrors,  &drawn_spheres,
-                                              &scene_spheres,  &file_spheres,
-                                              &order_light[0], &order_moments[0],
-                                              &order_light[1], &order_moments[1],
-                                              &order_light[2], &order_moments[2],
-                                              &order_light[3], &order_moments[3],
-                                              &sky_moments,    &sky_further,
-                                              &sky_ground,     &sky_table,
-                                              &sky_patches,    &sky_irradiance,
-                                              &sky_sampler,    &sun_table,
-                                              &sun_cover,      NULL};
+const ResourceKind *const picture_tables[] = {&drawn_mirrors, &drawn_spheres, &scene_spheres, &file_spheres,
+                                              FURTHER_TABLES, &sky_table,     &sky_patches,   &sky_irradiance,
+                                              &sky_sampler,   &sun_table,     &sun_cover,     NULL};
 
 const Pass trace_pass = {.name = "trace", .entry = "pass/trace.glsl"};
 const Pass sun_image_pass = {.name = "the sun's image", .entry = "pass/sun_image.glsl"};

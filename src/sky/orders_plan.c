@@ -5,17 +5,23 @@
 
 #include <math.h>
 
+/* The smoother a field is, the fewer harmonics and directions it needs: tests/test_orders.c has the errors.
+ */
 static const OrdersPlan plans[] = {
-    {64, 16, 8, 4, 14, 6, 14, 6, 3, 6, 4},
-    {64, 16, 10, 6, 14, 6, 14, 8, 4, 8, 4},
-    {64, 16, 14, 8, 14, 6, 14, 10, 5, 8, 4},
+    {64, 16, {{8, 14, 6, 14}, {4, 6, 3, 6}, {4, 6, 3, 6}, {4, 6, 3, 6}}},
+    {64, 16, {{10, 14, 6, 14}, {6, 8, 4, 8}, {4, 6, 3, 6}, {4, 6, 3, 6}}},
+    {64, 16, {{14, 14, 6, 14}, {8, 10, 5, 8}, {8, 10, 5, 8}, {8, 10, 5, 8}}},
 };
 
-const OrdersPlan *orders_plan(int first_degree) {
+const OrdersPlan *orders_plan(int most) {
     for (int i = 0; i < (int)(sizeof plans / sizeof *plans); i++) {
-        if (plans[i].first_degree == first_degree) return &plans[i];
+        if (plans[i].orders[0].degree == most) return &plans[i];
     }
     return NULL;
+}
+
+int order_directions(const OrderPlan *order) {
+    return (order->above + order->below) * order->azimuths;
 }
 
 static double chord(double sine) {
@@ -31,13 +37,14 @@ OrdersColumns orders_columns(void) {
     return columns;
 }
 
-/* The Legendre coefficient three degrees above those that are kept: measured as the best over the sky. A
- * peak that points backward cannot be taken as light that goes on. */
+/* The Legendre coefficient three degrees above those that are kept: measured as the best over the sky. A peak
+ * that points backward cannot be taken as light that goes on. */
 double orders_peak(const Atmosphere *atmosphere, const OrdersPlan *plan) {
     double chi[ORDERS_MOST_DEGREE + 4];
-    if (atmosphere->orders < 2) return 0;
-    harmonics_mie(atmosphere->mie_g, plan->first_degree + 3, chi);
-    return atmosphere->mie_g > 0 ? chi[plan->first_degree + 3] : 0;
+    int beyond = plan->orders[0].degree + 3;
+    if (atmosphere->orders < 2 || atmosphere->mie_g <= 0) return 0;
+    harmonics_mie(atmosphere->mie_g, beyond, chi);
+    return chi[beyond];
 }
 
 double orders_kept(const Atmosphere *atmosphere, const OrdersPlan *plan) {
@@ -46,8 +53,9 @@ double orders_kept(const Atmosphere *atmosphere, const OrdersPlan *plan) {
 
 void orders_weights(const Atmosphere *atmosphere, const OrdersPlan *plan,
                     double weights[ORDERS_MOST_DEGREE + 1]) {
+    int most = plan->orders[0].degree;
     double peak = orders_peak(atmosphere, plan);
     for (int l = 0; l <= ORDERS_MOST_DEGREE; l++) weights[l] = 0;
-    harmonics_mie(atmosphere->mie_g, plan->first_degree, weights);
-    for (int l = 0; l <= plan->first_degree; l++) weights[l] -= peak;
+    harmonics_mie(atmosphere->mie_g, most, weights);
+    for (int l = 0; l <= most; l++) weights[l] -= peak;
 }

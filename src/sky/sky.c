@@ -38,7 +38,7 @@ void sky_slots(SlotList *slots, const MethodChoice *choice, const Atmosphere *at
 
 void sky_key(const void *frame, Text *key) {
     const SkyState *state = &((const Frame *)frame)->state;
-    further_key(frame, key);
+    orders_key(frame, key);
     text_append(key, &state->atmosphere, sizeof state->atmosphere);
     text_append(key, &state->sun.elevation_deg, sizeof state->sun.elevation_deg);
 }

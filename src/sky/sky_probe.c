@@ -25,19 +25,7 @@ static bool make_text(const void *data, const char *entry, GlslSource *source, E
 
 static bool create_programs(SkyProbe *probe, const Context *context, SourceStore *sources,
                             const Atmosphere *atmosphere, Error *error) {
-    static const ResourceKind *const kinds[] = {&order_light[0],
-                                                &order_moments[0],
-                                                &order_light[1],
-                                                &order_moments[1],
-                                                &order_light[2],
-                                                &order_moments[2],
-                                                &order_light[3],
-                                                &order_moments[3],
-                                                &sky_moments,
-                                                &sky_further,
-                                                &sky_ground,
-                                                &sky_table,
-                                                NULL};
+    static const ResourceKind *const kinds[] = {FURTHER_TABLES, &sky_table, NULL};
     Frame frame = {.state.atmosphere = *atmosphere, .sky = &probe->choice};
     Texts texts = {.sources = sources};
     ResourceTexts maker = {make_text, &texts};

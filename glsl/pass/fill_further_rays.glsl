@@ -1,0 +1,17 @@
+#version 330 core
+// The observer's rays: one for each row of the table of the further light.
+#include "pass/rays.glsl"
+#include "pass/further_size.glsl"
+#include "sky/root_signed.glsl"
+#include "sky/table.glsl"
+
+layout(location = 0) out vec4 by_air;
+layout(location = 1) out vec4 by_aerosols;
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    int rows = int(2.0 * further_size.y + 0.5);
+    vec3 position = further_position(vec2(0.0, float(texel.y % rows)));
+    vec3 view = table_direction(further_horizon, further_limb, position, vec3(1.0, 0.0, 0.0));
+    ray_texel(band_air(texel.y / rows), observer_height_m, view.y, texel.x, by_air, by_aerosols);
+}
