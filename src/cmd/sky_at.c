@@ -18,10 +18,11 @@ typedef struct Columns {
     int first;
 } Columns;
 
+/* By the sun first: some of the sky's tables are the same for all heights. */
 static int compare_rows(const void *left, const void *right) {
     const SkyRow *a = *(SkyRow *const *)left, *b = *(SkyRow *const *)right;
-    if (a->height_m != b->height_m) return a->height_m < b->height_m ? -1 : 1;
     if (a->sun_el_deg != b->sun_el_deg) return a->sun_el_deg < b->sun_el_deg ? -1 : 1;
+    if (a->height_m != b->height_m) return a->height_m < b->height_m ? -1 : 1;
     return 0;
 }
 
