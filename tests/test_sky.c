@@ -13,7 +13,7 @@ static const long double BR[3] = {5.8e-6L, 13.5e-6L, 33.1e-6L};
 
 #define ATMOSPHERE                                                                                           \
     "#include \"sky/absorber_none.glsl\"\n#include \"sky/paper.glsl\"\n#include "                            \
-    "\"sky/view_column_whole.glsl\"\n"                                                                       \
+    "\"sky/view_column_whole.glsl\"\n#include \"sky/sums_add.glsl\"\n"                                       \
     "const Atmosphere air = Atmosphere(6360e3, 60e3, 7994.0, 1200.0, vec3(5.8e-6, 13.5e-6, 33.1e-6), "       \
     "vec3(21e-6),\n"                                                                                         \
     "                                  vec3(23.1e-6), 0.76, vec3(0.0), 25e3, 15e3, vec3(20.0));\n"           \

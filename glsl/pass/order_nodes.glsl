@@ -2,6 +2,7 @@
 // written out by the compiler, which would take it long.
 #include <absorber>
 #include <view-column>
+#include "sky/sums_add.glsl"
 
 uniform int order_nodes;
 

@@ -2,6 +2,7 @@
 #include "pass/atmosphere.glsl"
 #include <absorber>
 #include <view-column>
+#include <sums-add>
 #include <gauss-nodes>
 #include "sky/gauss.glsl"
 

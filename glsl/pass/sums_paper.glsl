@@ -2,6 +2,7 @@
 #include "pass/atmosphere.glsl"
 #include <absorber>
 #include <view-column>
+#include <sums-add>
 #include "sky/paper.glsl"
 
 uniform int sky_view_samples;

@@ -93,10 +93,7 @@ SkySums sky_gauss(Atmosphere a, GaussTable table, float h, vec3 view, vec3 sun) 
             float b_sun = r * sun.y + nodes.t[i] * nu;
             column += columns_to_top(a, nodes.h[i], b_sun, nodes.density[i]);
             float absorber = absorber_column_between(a, h, b, nodes.h[i], nodes.t[i]) + absorber_column_to_top(a, nodes.h[i], b_sun);
-            vec3 light = transmittance_of(a, column, absorber);
-            light *= dark ? 0.0 : table.weight[i] * nodes.stretch[i];
-            sums.rayleigh += light * nodes.density[i].x;
-            sums.mie += light * nodes.density[i].y;
+            sky_sums_add(sums, a, dark ? 0.0 : table.weight[i] * nodes.stretch[i], nodes.density[i], column, absorber);
         }
         column_before += nodes.total;
         from = to;

@@ -35,11 +35,9 @@ SkySums sky_paper(Atmosphere a, float h, vec3 view, vec3 sun, int view_samples, 
             absorber += back_step * absorber_density(a, h_back) + sun_step * absorber_density(a, h_sun);
             j += 1;
         } while (j < light_samples);
-        vec3 light = transmittance_of(a, view_column(back * back_step) + toward_sun * sun_step, absorber);
-        light *= in_planet_shadow(a, h_t, b_sun) ? 0.0 : view_step;
-        vec2 density = densities(a, h_t);
-        sums.rayleigh += light * density.x;
-        sums.mie += light * density.y;
+        vec2 column = view_column(back * back_step) + toward_sun * sun_step;
+        float length = in_planet_shadow(a, h_t, b_sun) ? 0.0 : view_step;
+        sky_sums_add(sums, a, length, densities(a, h_t), column, absorber);
         i += 1;
     } while (i < view_samples);
     return sums;

@@ -20,3 +20,6 @@ vec3 transmittance_of(Atmosphere a, vec2 column, float absorber) {
     return exp(-(a.rayleigh_scatter_per_m * column.x + a.mie_extinction_per_m * column.y +
                  a.ozone_absorb_per_m * absorber));
 }
+
+// Adds what is scattered on a length of the ray. The columns are those on the way from the sun and on to the eye.
+void sky_sums_add(INOUT(SkySums) sums, Atmosphere a, float length, vec2 density, vec2 column, float absorber);

@@ -16,6 +16,7 @@ void sky_spectrum_slots(SlotList *slots, const Atmosphere *atmosphere) {
     snprintf(count, sizeof count, "const int BANDS = %d;", spectrum_bands(atmosphere));
     slot_file(slots, "spectrum", bands ? "pass/spectrum_bands.glsl" : "pass/spectrum_rgb.glsl");
     slot_text(slots, "bands", count);
+    slot_file(slots, "sums-add", bands ? "pass/sums_add_bands.glsl" : "sky/sums_add.glsl");
     slot_file(slots, "light-sums", bands ? "pass/light_sums_bands.glsl" : "pass/light_sums_rgb.glsl");
     slot_file(slots, "shade", bands ? "pass/shade_bands.glsl" : "pass/shade_rgb.glsl");
     slot_file(slots, "root", bands ? "sky/root_signed.glsl" : "sky/root_plain.glsl");

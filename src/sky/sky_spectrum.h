@@ -5,7 +5,7 @@
 #include "scene/atmosphere.h"
 #include "scene/glsl_slots.h"
 
-/* Fills <spectrum>, <bands>, <light-sums>, <shade> and <root>. */
+/* Fills <spectrum>, <bands>, <sums-add>, <light-sums>, <shade> and <root>. */
 void sky_spectrum_slots(SlotList *slots, const Atmosphere *atmosphere);
 
 /* Adds the uniforms of the file that is in the slot <spectrum>. */

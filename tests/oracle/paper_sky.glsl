@@ -3,6 +3,7 @@
 #include "sky/absorber_none.glsl"
 #include "sky/paper.glsl"
 #include "sky/view_column_whole.glsl"
+#include "sky/sums_add.glsl"
 
 vec3 sun_direction;
 

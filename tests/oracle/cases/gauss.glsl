@@ -4,6 +4,7 @@
 #include "sky/absorber_ozone.glsl"
 
 #include "sky/view_column_whole.glsl"
+#include "sky/sums_add.glsl"
 
 const int GAUSS_NODES = 8;
 

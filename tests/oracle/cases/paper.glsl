@@ -4,6 +4,7 @@
 #include "sky/absorber_ozone.glsl"
 #include "sky/paper.glsl"
 #include "sky/view_column_whole.glsl"
+#include "sky/sums_add.glsl"
 
 void item(vec4 a, vec4 b, OUT(vec4) c, OUT(vec4) d) {
     Atmosphere planet = air();
