@@ -97,6 +97,7 @@ static void test_words(void **state) {
     SideFigures side = {.methods = "table, cosine",
                         .samples = 80,
                         .seconds = 2.2,
+                        .prepared = 1,
                         .coarseness = 1,
                         .paths_per_second = 7.2e6,
                         .error_percent = 1.04};
@@ -110,6 +111,9 @@ static void test_words(void **state) {
     side.coarseness = 4;
     figures_progress(&side, text, sizeof text);
     assert_string_equal(text, "preview, 1/4 of the size");
+    side.prepared = 0.408;
+    figures_progress(&side, text, sizeof text);
+    assert_string_equal(text, "computing the sky, 40 %");
     figures_pixel(&pixel, text, sizeof text);
     assert_true(strstr(text, "pixel 3 4, right side\n") == text && strstr(text, "depth     none"));
 }

@@ -37,6 +37,16 @@ static bool check_aov(const Options *options, unsigned *kinds, Error *error) {
     return !*kinds || error_set(error, STATUS_USAGE, "--aov: only .exr holds layers, and no -o names one");
 }
 
+/* Fills the tables. If it is interrupted, no sample follows. */
+static bool prepare_tables(RenderJob *job, const RenderParams *params, Error *error) {
+    double start = clock_seconds();
+    while (job->renderer.prepared < 1 && !interrupt_requested()) {
+        if (!renderer_prepare(&job->renderer, params, 0.3, interrupt_requested, error)) return false;
+        progress_prepare(&job->progress, job->renderer.prepared, clock_seconds() - start);
+    }
+    return true;
+}
+
 static bool prepare(RenderJob *job, Error *error) {
     const Options *options = job->options;
     if (!check_outputs(options, error) || !check_aov(options, &job->aov_kinds, error) ||
@@ -56,13 +66,15 @@ static bool prepare(RenderJob *job, Error *error) {
                            .max_hits = options->depth,
                            .samples = options->samples,
                            .error_percent = options->error_percent,
-                           .variance = job->aov_kinds & AOV_VARIANCE};
+                           .variance = job->aov_kinds & AOV_VARIANCE,
+                           .in_steps = true};
     if (options->error_percent > 0 && options->samples) {
         return error_set(error, STATUS_USAGE,
                          "--error takes as many samples as it needs, --spp takes so many: one of them");
     }
     return context_open(&job->context, options->backend, error) &&
            renderer_create(&job->renderer, &job->context, &params, error) &&
+           prepare_tables(job, &params, error) &&
            aov_create(&job->aov, job->aov_kinds, &job->context, &params, &job->renderer, error);
 }
 
@@ -118,7 +130,6 @@ static bool read_picture(RenderJob *job, Error *error) {
 static bool render(RenderJob *job, Error *error) {
     const Options *options = job->options;
     ProgressFigures *figures = &job->figures;
-    Progress progress = progress_start(options);
     double pixels = (double)job->renderer.film.width * job->renderer.film.height;
     double bias = known_bias(job), start = clock_seconds();
     job->adaptive = adaptive_create(&job->renderer, job->renderer.image.where.count ? NOISE_SUN_TRIM : 0);
@@ -137,7 +148,7 @@ static bool render(RenderJob *job, Error *error) {
         figures->noise_percent = adaptive_percent(&job->adaptive);
         figures->error_percent = hypot(figures->noise_percent, bias);
         figures->seconds = clock_seconds() - start;
-        progress_report(&progress, figures);
+        progress_report(&job->progress, figures);
     }
     if (!read_picture(job, error)) return false;
     /* There are fewer than samples x pixels if it was stopped early. */
@@ -151,7 +162,7 @@ static bool render(RenderJob *job, Error *error) {
     figures->search_cut = job->search.cut;
     figures->interrupted = interrupt_requested();
     figures->done = true;
-    progress_report(&progress, figures);
+    progress_report(&job->progress, figures);
     return true;
 }
 
@@ -216,7 +227,7 @@ static void release(RenderJob *job) {
 
 Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
     double start = clock_seconds();
-    RenderJob job = {.options = options};
+    RenderJob job = {.options = options, .progress = progress_start(options)};
     error->status = STATUS_DONE;
     interrupt_install();
     bool ok = prepare(&job, error);

@@ -20,6 +20,12 @@ Progress progress_start(const Options *options) {
     return progress;
 }
 
+/* The line is cut to the terminal's width. Otherwise it would wrap and scroll at each report. */
+static void show_line(Progress *progress, const char *words) {
+    fprintf(stderr, "\r%.*s\033[K", terminal_columns(STDERR_FILENO) - 1, words);
+    progress->line = true;
+}
+
 static double seconds_left(const ProgressFigures *figures) {
     double left = INFINITY;
     if (figures->target_samples && figures->samples > 0)
@@ -36,17 +42,15 @@ static void report_terminal(Progress *progress, const ProgressFigures *figures) 
         if (progress->line) fputs("\r\033[K", stderr);
         return;
     }
-    char line[200], target[32] = "", reached[64] = "", left[32] = "";
+    char words[200], target[32] = "", reached[64] = "", left[32] = "";
     if (figures->target_samples) snprintf(target, sizeof target, " of %" PRIu64, figures->target_samples);
     if (figures->error_percent < INFINITY)
         snprintf(reached, sizeof reached, "error about %.2g %%, ", figures->error_percent);
     if (seconds_left(figures) < INFINITY)
         snprintf(left, sizeof left, ", %.0f s left", ceil(seconds_left(figures)));
-    snprintf(line, sizeof line, "%s%.0f%s samples, %.1f Mpaths/s%s", reached, figures->samples, target,
+    snprintf(words, sizeof words, "%s%.0f%s samples, %.1f Mpaths/s%s", reached, figures->samples, target,
              1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), left);
-    /* The line is cut to the terminal's width. Otherwise it would wrap and scroll at each report. */
-    fprintf(stderr, "\r%.*s\033[K", terminal_columns(STDERR_FILENO) - 1, line);
-    progress->line = true;
+    show_line(progress, words);
 }
 
 static void report_json(const ProgressFigures *figures) {
@@ -78,6 +82,25 @@ static void report_json(const ProgressFigures *figures) {
         }
     }
     json_end(&json, stderr);
+}
+
+void progress_prepare(Progress *progress, double share, double seconds) {
+    char words[64];
+    if (progress->kind == PROGRESS_NONE || seconds < 0.5) return;
+    if (share < 1 && seconds - progress->last < 0.1) return;
+    /* The samples begin a time of their own. */
+    progress->last = share < 1 ? seconds : -1;
+    if (share == 1) return;
+    if (progress->kind == PROGRESS_TTY) {
+        snprintf(words, sizeof words, "computing the sky, %.0f %%", floor(100 * share));
+        show_line(progress, words);
+    } else {
+        Json json = json_begin();
+        json_flag(&json, "done", false);
+        json_number(&json, "prepared", share);
+        json_seconds(&json, "seconds", seconds);
+        json_end(&json, stderr);
+    }
 }
 
 void progress_report(Progress *progress, const ProgressFigures *figures) {

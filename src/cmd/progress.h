@@ -10,7 +10,7 @@ typedef enum ProgressKind { PROGRESS_NONE, PROGRESS_TTY, PROGRESS_JSON } Progres
 
 typedef struct Progress {
     ProgressKind kind;
-    /* The time of the last report, seconds. */
+    /* The time of the last report, in seconds of what is reported. */
     double last;
     /* Whether there is an unfinished line on the terminal. */
     bool line;
@@ -43,6 +43,10 @@ typedef struct ProgressFigures {
 } ProgressFigures;
 
 Progress progress_start(const Options *options);
+
+/* Reports, at most ten times a second, the share of the sky's tables that are ready, if they have taken half
+ * a second already. */
+void progress_prepare(Progress *progress, double share, double seconds);
 
 /* Reports at most ten times a second, and always when done. */
 void progress_report(Progress *progress, const ProgressFigures *figures);

@@ -10,6 +10,7 @@
 
 typedef struct RenderJob {
     const Options *options;
+    Progress progress;
     char *library;
     Scene scene;
     Context context;

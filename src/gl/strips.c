@@ -33,12 +33,18 @@ bool strips_draw(const Program *program, const Rectangle *regions, int count, do
     return true;
 }
 
+/* Rows that are shaded together: llvmpipe shades blocks of two rows, and of four. */
+static int whole_blocks(double wanted, int rows_left) {
+    double rows = wanted < 4 ? 2 : 4 * floor(wanted / 4);
+    return rows < rows_left ? (int)rows : rows_left;
+}
+
 void strips_draw_for(const Program *program, int width, int height, int *row, double *pixels_per_second,
                      double seconds, bool (*stop)(void)) {
     double end = clock_seconds() + seconds, left = seconds;
     do {
         double start = clock_seconds(), wanted = *pixels_per_second * fmin(left, seconds / 3) / width;
-        int rows = (int)fmin(fmax(wanted, 1), height - *row);
+        int rows = whole_blocks(wanted, height - *row);
         program_draw(program, 0, *row, width, rows);
         program->gl->Finish();
         *pixels_per_second = (double)rows * width / fmax(clock_seconds() - start, 1e-6);

@@ -11,8 +11,8 @@
 bool strips_draw(const Program *program, const Rectangle *regions, int count, double *pixels_per_second,
                  bool (*stop)(void));
 
-/* Draws rows of [0, width) x [0, height) for about `seconds`, from *row on and at least one row. Sets *row to
- * the next row. A strip takes about a third of the time, because some rows of a picture take several times as
- * long as others. */
+/* Draws rows of [0, width) x [0, height) for about `seconds`, from *row on and at least two rows. Sets *row
+ * to the next row. A strip takes about a third of the time, because some rows of a picture take several times
+ * as long as others. */
 void strips_draw_for(const Program *program, int width, int height, int *row, double *pixels_per_second,
                      double seconds, bool (*stop)(void));

@@ -61,7 +61,7 @@ static bool set_up(Renderer *renderer, const Frame *frame, double seconds, bool 
 
 /* The time for the tables in a start that need not make them ready. */
 static double start_seconds(const RenderParams *params) {
-    return params->in_steps ? 0.03 : INFINITY;
+    return params->in_steps ? 0.01 : INFINITY;
 }
 
 static void begin(Renderer *renderer, unsigned group) {
@@ -89,7 +89,7 @@ static bool warm_up(Renderer *renderer, Error *error) {
 /* Begins the picture if the tables are ready. */
 static bool finish(Renderer *renderer, Error *error) {
     if (renderer->prepared < 1) return true;
-    film_reset(&renderer->film);
+    if (renderer->warm || renderer->film.samples) film_reset(&renderer->film);
     if (!renderer->warm && !warm_up(renderer, error)) return false;
     renderer->warm = true;
     return true;
@@ -169,7 +169,7 @@ static bool recreate(Renderer *renderer, const Context *context, const RenderPar
     Renderer next;
     if (!renderer_create(&next, context, params, error)) return false;
     Film film = next.film;
-    if (next.prepared < 1 && renderer->film.parts == film.parts &&
+    if (next.prepared < 1 && renderer->film.samples && renderer->film.parts == film.parts &&
         film_fits(renderer, film.width, film.height)) {
         next.film = renderer->film;
         renderer->film = film;

@@ -72,7 +72,7 @@ MUST_CHECK bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)
 MUST_CHECK bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, unsigned samples,
                                 bool (*stop)(void), bool *stopped, Error *error);
 
-/* Draws for about `seconds` (at least one row), or until `stop` (may be NULL) returns true. It continues the
+/* Draws for about `seconds` (at least two rows), or until `stop` (may be NULL) returns true. It continues the
  * unfinished group, or starts one of at most `samples`, and commits it after its last row. Other programs and
  * textures may have been in use in between. Do not mix it with the passes above. */
 MUST_CHECK bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, bool (*stop)(void),

@@ -34,7 +34,9 @@ void curve_place(const ErrorCurve *curve, int point, double place[2]) {
 }
 
 void figures_progress(const SideFigures *side, char *text, size_t size) {
-    if (side->coarseness > 1)
+    if (side->prepared < 1)
+        snprintf(text, size, "computing the sky, %.0f %%", floor(100 * side->prepared));
+    else if (side->coarseness > 1)
         snprintf(text, size, "preview, 1/%d of the size", side->coarseness);
     else if (!side->samples)
         snprintf(text, size, "first samples, %.1f s", side->seconds);

@@ -24,6 +24,8 @@ typedef struct SideFigures {
      * there is none. */
     double chance_percent;
     double paths_per_second, seconds;
+    /* The part of the sky's tables that is ready. Before it is 1 the picture of before is shown. */
+    double prepared;
     /* The side of a preview's pixel, in pixels of the picture. 1 if the picture is at rest. */
     int coarseness;
     ErrorCurve curve;
@@ -61,7 +63,7 @@ void curve_extend(ErrorCurve *curve, double seconds, double percent);
  * quadruples, is a straight line. */
 void curve_place(const ErrorCurve *curve, int point, double place[2]);
 
-/* Prints "80 samples in 2.2 s". */
+/* Prints "80 samples in 2.2 s", or "computing the sky, 40 %". */
 void figures_progress(const SideFigures *side, char *text, size_t size);
 
 /* Prints "error about 1.04 %". */

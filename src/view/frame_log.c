@@ -7,6 +7,7 @@ static void log_right(const ViewState *state, const SideFigures *side) {
     log_number("difference", state->difference ? state->difference_percent : 0);
     log_number("right_elevation", right.values.sun.elevation_deg);
     log_number("right_azimuth", right.values.sun.azimuth_deg);
+    log_number("right_prepared", side->prepared);
     log_number("right_samples", (double)side->samples);
     log_number("right_seconds", side->seconds);
     log_number("right_error_percent", side->error_percent);
@@ -40,6 +41,7 @@ void frame_log(const FrameLog *frame, const ViewState *state, const ViewFigures 
     log_number("eye_z", state->scene.values.camera.eye[2]);
     log_number("sides", state->split ? 2 : 1);
     log_number("picture", frame->pictures);
+    log_number("prepared", side->prepared);
     log_number("coarseness", side->coarseness);
     log_number("samples", (double)side->samples);
     log_number("rests", frame->rests);

@@ -162,6 +162,7 @@ static void lay_out(Overlay *overlay, ViewState *state, const ViewFigures *figur
     bool two = state->split && figures->scene;
     if (state->overlay) floor = overlay_notice(state, floor);
     if (state->prompting) floor = overlay_prompt(state, floor);
+    floor = overlay_progress(state, figures, floor);
     if (!state->overlay) return;
     if (two) floor = overlay_sides(state, figures, floor);
     if (two && state->difference) overlay_range(state);

@@ -109,6 +109,15 @@ float overlay_prompt(const ViewState *state, float floor) {
     return note("prompt", std::fmax(free / 2, em(overlay_margin)), floor, white, text);
 }
 
+float overlay_progress(const ViewState *state, const ViewFigures *figures, float floor) {
+    char text[64];
+    const SideFigures *left = &figures->sides[0], *right = &figures->sides[1];
+    const SideFigures *side = state->split && right->prepared < left->prepared ? right : left;
+    if (side->prepared == 1) return floor;
+    figures_progress(side, text, sizeof text);
+    return note("progress", em(overlay_margin), floor, amber, text);
+}
+
 float overlay_notice(const ViewState *state, float floor) {
     if (!view_has_notice(state)) return floor;
     return note("notice", em(overlay_margin), floor, state->notice.failed ? red : white, state->notice.text);

@@ -22,6 +22,7 @@ ImVec4 overlay_panel(ViewState *state, const ViewFigures *figures, float floor);
 /* A note stands on `floor`. Each function returns the floor for the next note. */
 float overlay_notice(const ViewState *state, float floor);
 float overlay_prompt(const ViewState *state, float floor);
+float overlay_progress(const ViewState *state, const ViewFigures *figures, float floor);
 float overlay_sides(const ViewState *state, const ViewFigures *figures, float floor);
 
 /* Draws the scale of the false colours in the upper right corner. */

@@ -41,7 +41,8 @@ static RenderParams render_params(const PaneParams *params, int coarseness) {
                           .height = (params->height + coarseness - 1) / coarseness,
                           .seed = params->seed,
                           .max_hits = params->max_hits,
-                          .variance = true};
+                          .variance = true,
+                          .in_steps = true};
 }
 
 /* The number of paths that a preview may have. With a sample or two a pixel, a path takes about twice its
@@ -64,6 +65,10 @@ static int choose_coarseness(const Pane *pane, const PaneParams *params) {
 static unsigned choose_samples(const Pane *pane, const PaneParams *params, int coarseness) {
     double pixels = (double)params->width * params->height / (coarseness * coarseness);
     return (unsigned)fmin(fmax(floor(affordable_paths(pane, params) / pixels), 1), MOST_PREVIEW_SAMPLES);
+}
+
+bool pane_is_ready(const Pane *pane) {
+    return pane->renderer.prepared == 1;
 }
 
 /* The preview and the picture at rest have a film each, and the films change places. */
@@ -93,11 +98,25 @@ static void remember(Pane *pane, const PaneParams *params, int coarseness) {
     forget_figures(pane);
 }
 
+/* Whether the picture that is shown has to make room for another film. A preview follows one of its size at
+ * once, and if it has to wait for tables, the renderer keeps the one of before. */
+static bool must_exchange(const Pane *pane, const PaneParams *params, const RenderParams *wanted,
+                          bool preview) {
+    const Film *film = &pane->renderer.film;
+    bool same_film = film->width == wanted->width && film->height == wanted->height &&
+                     same_methods(&pane->methods, params->methods);
+    return film->samples && !(preview && same_film);
+}
+
 static bool start(Pane *pane, const PaneParams *params, bool preview, int coarseness, Error *error) {
     RenderParams wanted = render_params(params, coarseness);
     if (!pane->renderer.gl) return renderer_create(&pane->renderer, params->context, &wanted, error);
-    bool exchanged = pane->renderer.film.samples && (!preview || coarseness != pane->coarseness);
-    if (exchanged) exchange_films(pane);
+    bool exchanged = must_exchange(pane, params, &wanted, preview);
+    if (exchanged) {
+        exchange_films(pane);
+        /* What this film held is older than what is shown. */
+        pane->renderer.film.samples = 0;
+    }
     if (renderer_restart(&pane->renderer, params->context, &wanted, error)) return true;
     if (exchanged) exchange_films(pane);
     return false;
@@ -139,7 +158,7 @@ void pane_destroy(Pane *pane) {
 }
 
 bool pane_rests(const Pane *pane, const PaneParams *params) {
-    return !pane->preview_samples && pane->renderer.film.samples >= params->samples;
+    return pane_is_ready(pane) && !pane->preview_samples && pane->renderer.film.samples >= params->samples;
 }
 
 /* The estimate needs the picture at each doubling of its samples. In between it needs only their number. */
@@ -177,7 +196,11 @@ static void measure(Pane *pane, double rate) {
 bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
     Renderer *renderer = &pane->renderer;
     const Film *film = &renderer->film;
+    RenderParams wanted = render_params(params, pane->coarseness);
     if (pane_rests(pane, params)) return true;
+    /* Events do not cut this short, or a hand that drags the sun would bring it to a stop. */
+    if (!renderer_prepare(renderer, &wanted, 2 * params->budget_s, NULL, error)) return false;
+    if (!pane_is_ready(pane)) return true;
     uint64_t samples = pane->preview_samples ? pane->preview_samples : params->samples - film->samples;
     /* A preview is shown when all of it is drawn. */
     double budget = pane->preview_samples ? INFINITY : params->budget_s, begin = clock_seconds();

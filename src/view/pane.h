@@ -76,7 +76,11 @@ MUST_CHECK bool pane_compile(const PaneParams *params, Renderer *next, Error *er
 void pane_take(Pane *pane, const PaneParams *params, const Renderer *next);
 void pane_destroy(Pane *pane);
 
-/* Draws for about the time of the budget. The error is estimated whenever the picture's samples have doubled.
+/* Says whether the tables are ready. Before that the pane shows the picture of before. */
+bool pane_is_ready(const Pane *pane);
+
+/* Draws for about the time of the budget, or computes the tables for about twice that time. The error is
+ * estimated whenever the picture's samples have doubled.
  */
 MUST_CHECK bool pane_draw(Pane *pane, const PaneParams *params, Error *error);
 

@@ -23,13 +23,20 @@ static int side_count(const ViewState *state) {
     return state->split ? 2 : 1;
 }
 
-bool picture_moves(const Picture *picture) {
+static bool moves(const Picture *picture) {
     return clock_seconds() < picture->changed + moving_s;
+}
+
+bool picture_hurries(const Picture *picture, const ViewState *state) {
+    bool ready = true;
+    for (int i = 0; i < side_count(state) && !is_toy(picture); i++)
+        ready &= pane_is_ready(&picture->panes[i]);
+    return !ready || moves(picture);
 }
 
 static PaneParams pane_params(const Picture *picture, const ViewState *state, int side, const Scene *scene) {
     const ViewParams *params = picture->params;
-    bool moving = picture_moves(picture);
+    bool moving = moves(picture);
     return (PaneParams){.context = picture->context,
                         .scene = scene,
                         .methods = &state->methods[side],
@@ -215,13 +222,14 @@ DisplayParams picture_display(const Picture *picture, const ViewState *state) {
 
 static void fill_side(SideFigures *figures, const Pane *pane) {
     const Renderer *renderer = &pane->renderer;
+    figures->prepared = renderer->gl ? renderer->prepared : 1;
     if (!renderer->gl) return;
     const char *disk = renderer->plan.sun.text;
     bool has_disk = renderer->plan.sun.method->has_disk;
     snprintf(figures->methods, sizeof figures->methods, "%s, %s, %s%s%s", renderer->plan.sky.text,
              renderer->plan.light.text, renderer->plan.sequence.text, has_disk ? ", disk " : "",
              has_disk ? disk : "");
-    figures->samples = renderer->film.samples;
+    figures->samples = pane_is_ready(pane) ? renderer->film.samples : 0;
     figures->error_percent = pane->error_percent;
     figures->chance_percent = pane->chance_percent;
     bool preview = pane->preview_samples && pane->preview_rate > 0;
@@ -236,7 +244,7 @@ static bool fill_pixel(Picture *picture, const ViewState *state, PixelFigures *p
     int side = state->split && state->pointer[0] > state->divider * picture->width ? 1 : 0;
     const Pane *pane = &picture->panes[side];
     pixel->known = false;
-    if (!state->inspect || !state->overlay || pane->preview_samples || !pane->renderer.gl) return true;
+    if (!state->inspect || !state->overlay || pane->preview_samples || !pane_is_ready(pane)) return true;
     RenderParams params = {.scene = &state->scene};
     bool ok = inspect_pixel(&picture->inspect, picture->context, &params, &pane->renderer,
                             (int)floor(state->pointer[0]), (int)floor(state->pointer[1]), pixel, error);
@@ -250,8 +258,8 @@ bool picture_figures(Picture *picture, const ViewState *state, ViewFigures *figu
     figures->gl_renderer = picture->context->renderer;
     figures->scene = !is_toy(picture);
     if (is_toy(picture)) {
-        figures->sides[0] =
-            (SideFigures){.samples = (uint64_t)picture->toy.frame, .error_percent = NAN, .coarseness = 1};
+        figures->sides[0] = (SideFigures){
+            .samples = (uint64_t)picture->toy.frame, .error_percent = NAN, .coarseness = 1, .prepared = 1};
         return true;
     }
     for (int i = 0; i < MOST_SIDES; i++) fill_side(&figures->sides[i], &picture->panes[i]);
@@ -261,7 +269,8 @@ bool picture_figures(Picture *picture, const ViewState *state, ViewFigures *figu
 bool picture_is_whole(const Picture *picture, const ViewState *state) {
     if (is_toy(picture)) return picture->toy.frame > 0;
     for (int i = 0; i < side_count(state); i++) {
-        if (picture->panes[i].preview_samples || !picture->panes[i].renderer.film.samples) return false;
+        const Pane *pane = &picture->panes[i];
+        if (!pane_is_ready(pane) || pane->preview_samples || !pane->renderer.film.samples) return false;
     }
     return true;
 }

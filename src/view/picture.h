@@ -43,8 +43,9 @@ MUST_CHECK bool picture_update(Picture *picture, ViewState *state, Error *refusa
 /* Draws for some milliseconds. Sets `drew` to whether there was anything left to draw. */
 MUST_CHECK bool picture_draw(Picture *picture, const ViewState *state, bool *drew, Error *error);
 
-/* Says whether something changed so lately that the next frame should come at once. */
-bool picture_moves(const Picture *picture);
+/* Says whether the next frame should come at once, because something changed lately or the sky is computed.
+ */
+bool picture_hurries(const Picture *picture, const ViewState *state);
 
 /* Says whether nothing is left to draw. */
 bool picture_rests(const Picture *picture, const ViewState *state);

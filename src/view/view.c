@@ -198,7 +198,7 @@ static bool turn(View *view, Error *error) {
     view->picture.width = view->window.width;
     view->picture.height = view->window.height;
     bool due = view->linger || !view->frames || state->playing || state->clock_running ||
-               picture_moves(&view->picture) || clock_seconds() > view->shown + rest_interval_s;
+               picture_hurries(&view->picture, state) || clock_seconds() > view->shown + rest_interval_s;
     if (due) {
         if (!picture_figures(&view->picture, state, &view->figures, error)) return false;
         overlay_build(view->overlay, state, &view->figures);
