@@ -118,6 +118,16 @@ bool auto_sky(MethodChoice *choice, const char *text, const AutoWish *wish, Erro
     return true;
 }
 
+bool auto_further(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error) {
+    double percent = auto_error_percent(wish);
+    if (!method_is_auto(text)) return method_choose(choice, METHOD_FURTHER, text, error);
+    return method_choose(choice, METHOD_FURTHER,
+                         percent >= 5   ? "harmonics:8"
+                         : percent >= 1 ? "harmonics:10"
+                                        : "harmonics:14",
+                         error);
+}
+
 /* Whether mis is likely to reach an error in the least time. Measured over the scenes, with the sun from 60
  * to -2 degrees, as the time to the same error:
  *

@@ -33,6 +33,10 @@ double auto_error_percent(const AutoWish *wish);
  * small, or where none is known, the most accurate is taken. choice->why tells the user which case it was. */
 MUST_CHECK bool auto_sky(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error);
 
+/* Chooses how the further orders of scattering are computed. NULL or "auto" stands for the cheapest quality
+ * that is accurate enough. */
+MUST_CHECK bool auto_further(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error);
+
 /* Chooses a light method. NULL or "auto" stands for mis where a low sun shines on what stands upright, else
  * for control where the sky is a table and the scene has bounds, else for cosine. */
 MUST_CHECK bool auto_light(MethodChoice *choice, const char *text, const MethodChoice *sky,

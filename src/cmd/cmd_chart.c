@@ -78,6 +78,7 @@ static bool make_charts(Job *job, Error *error) {
     double percent = options->error_percent > 0 ? options->error_percent : AUTO_ERROR_PERCENT;
     ChartParams params = {.context = &job->context,
                           .picture = {.scene = &job->scene,
+                                      .further = options->further,
                                       .sun_disk = options->sun_disk,
                                       .width = options->width ? options->width : DEFAULT_SIDE,
                                       .height = options->height ? options->height : DEFAULT_SIDE,

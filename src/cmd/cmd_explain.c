@@ -36,6 +36,7 @@ static bool prepare(Job *job, Error *error) {
     if (options->width && !scene_check_size(options->width, options->height, error)) return false;
     job->percent = options->error_percent > 0 ? options->error_percent : AUTO_ERROR_PERCENT;
     job->params = (RenderParams){.scene = &job->scene,
+                                 .further = options->further,
                                  .sun_disk = options->sun_disk,
                                  .width = options->width ? options->width : DEFAULT_SIDE,
                                  .height = options->height ? options->height : DEFAULT_SIDE,

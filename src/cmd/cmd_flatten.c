@@ -37,6 +37,7 @@ Status cmd_flatten(const Options *options, Error *error) {
                                .sky = options->sky,
                                .light = options->light,
                                .sequence = options->sequence,
+                               .further = options->further,
                                .sun_disk = options->sun_disk};
         ok = plan_make(&plan, &params, NULL, error) &&
              (options->json  ? pass_json_print(&plan, &params, stdout, error)

@@ -59,6 +59,7 @@ static bool prepare(RenderJob *job, Error *error) {
                            .sky = options->sky,
                            .light = options->light,
                            .sequence = options->sequence,
+                           .further = options->further,
                            .sun_disk = options->sun_disk,
                            .width = options->width,
                            .height = options->height,

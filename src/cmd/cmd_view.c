@@ -31,6 +31,7 @@ static MethodNames method_names(const Options *options) {
     MethodNames names = {.sky = ""};
     copy_name(names.sky, sizeof names.sky, options->sky);
     copy_name(names.light, sizeof names.light, options->light);
+    copy_name(names.further, sizeof names.further, options->further);
     copy_name(names.sequence, sizeof names.sequence, options->sequence);
     copy_name(names.sun_disk, sizeof names.sun_disk, options->sun_disk);
     if (options->sun_disk && !names.sun_disk[0])

@@ -79,6 +79,8 @@ const OptionRow option_table[] = {
      "show the sun's disk, 0.2666 degrees in radius; on if the scene says so", NULL},
     {GROUP_SKY, "--atmosphere", "NAME", R | V | S | F | H | E, STRING(atmosphere),
      "a preset of the atmosphere (see info)", NULL},
+    {GROUP_SKY, "--orders", "N", R | V | S | F | H | E, STRING(orders),
+     "light that was scattered N times at most is seen, or `all`; short for --set atmosphere.orders=N", NULL},
     {GROUP_SKY, "--preset", "NAME", R | V | F | H | E, STRING(preset), "one of the scene's presets", NULL},
     {GROUP_SKY, "--set", "NAME=VALUE", R | V | S | F | I | H | E, TAKE(take_setting),
      "a scene's parameter, sun.elevation, atmosphere.mie_g, ...; may be repeated", NULL},
@@ -109,6 +111,8 @@ const OptionRow option_table[] = {
 
     {GROUP_METHODS, "--sky", "METHOD", R | V | F | S, STRING(sky), "how the sky's radiance is computed",
      NULL},
+    {GROUP_METHODS, "--further", "METHOD", R | V | F | S | H | E, STRING(further),
+     "how the orders of scattering beyond the first are computed", NULL},
     {GROUP_METHODS, "--light", "METHOD", R | V | F, STRING(light), "how paths continue after a hit", NULL},
     {GROUP_METHODS, "--sequence", "METHOD", R | V | F, STRING(sequence), "the random numbers", NULL},
 

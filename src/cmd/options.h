@@ -67,6 +67,9 @@ typedef struct Options {
     /* The method for the sun's disk; "auto" if the option has no word. */
     const char *sun_disk;
 
+    /* The orders of scattering, "all" or a number, and how those beyond the first are computed. */
+    const char *orders, *further;
+
     bool quiet, verbose;
 
     /* For `flatten`: print every program of a picture, as text or as JSON lines. */

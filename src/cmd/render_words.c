@@ -18,6 +18,8 @@ void render_say_choices(const RenderJob *job) {
             renderer->plan.sky.text, renderer->plan.sun.text, renderer->plan.light.text,
             renderer->plan.sequence.text, renderer->plan.max_hits, renderer->plan.group_samples);
     say_why("sky", &renderer->plan.sky);
+    if (job->scene.values.atmosphere.orders > 1)
+        fprintf(stderr, "further orders of scattering by %s\n", renderer->plan.further.text);
     say_why("light", &renderer->plan.light);
     const Resource *table = resources_find(&renderer->tables, &sky_table);
     if (table) {

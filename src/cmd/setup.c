@@ -66,6 +66,10 @@ bool setup_scene(const Options *options, const char *library, Scene *scene, Erro
     if (options->has_sun) scene_set_sun(scene, options->sun_elevation_deg, sun->azimuth_deg);
     if (options->has_azimuth) scene_set_sun(scene, sun->elevation_deg, options->sun_azimuth_deg);
     if (options->has_exposure) scene->values.exposure_ev = options->exposure_ev;
+    if (options->orders && !atmosphere_set(&scene->values.atmosphere, "orders", options->orders, error)) {
+        error_prefix(error, "--orders: ");
+        goto fail;
+    }
     if (!apply_settings(options, scene, error) || !scene_check(scene, error)) goto fail;
     return true;
 fail:

@@ -23,12 +23,17 @@ bool sky_job_open(SkyJob *job, const Atmosphere *air, double directions, Error *
                      .pixels = directions,
                      .sun_elevation_deg = job->scene.values.sun.elevation_deg,
                      .atmosphere = air};
-    MethodChoice choice;
+    MethodChoice choice, further;
     if (!setup_library(job->options, &job->library, error)) return false;
     job->sources = source_store_create(job->library);
-    return auto_sky(&choice, job->options->sky, &wish, error) &&
-           context_open(&job->context, job->options->backend, error) &&
-           sky_probe_create(&job->probe, &job->context, job->sources, &choice, air, error);
+    if (!auto_sky(&choice, job->options->sky, &wish, error) ||
+        !auto_further(&further, job->options->further, &wish, error) ||
+        !context_open(&job->context, job->options->backend, error) ||
+        !sky_probe_create(&job->probe, &job->context, job->sources, &choice, air, error)) {
+        return false;
+    }
+    job->probe.further = further;
+    return true;
 }
 
 void sky_job_close(SkyJob *job) {

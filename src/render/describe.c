@@ -34,6 +34,8 @@ void describe_picture(AttributeList *list, const Scene *scene, const Renderer *r
     attribute_add(list, "magichour.sun_disk", "%s, radius %.9g degrees", renderer->plan.sun.text,
                   scene->values.sun.radius_deg);
     attribute_add(list, "magichour.sky", "%s", renderer->plan.sky.text);
+    if (scene->values.atmosphere.orders > 1)
+        attribute_add(list, "magichour.further", "%s", renderer->plan.further.text);
     if (!isnan(renderer->sky_bias_percent))
         attribute_add(list, "magichour.sky_bias_percent", "%.3g", renderer->sky_bias_percent);
     attribute_add(list, "magichour.light", "%s", renderer->plan.light.text);

@@ -97,6 +97,7 @@ bool pass_trace_text(const RenderParams *params, GlslSource *source, Error *erro
 Frame frame_of(const Plan *plan, const Scene *scene, const Camera *camera) {
     return (Frame){.state = {scene->values.atmosphere, scene->values.sun},
                    .sky = &plan->sky,
+                   .further = &plan->further,
                    .light = &plan->light,
                    .sun_disk = &plan->sun,
                    .scene = scene,

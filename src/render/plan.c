@@ -122,7 +122,8 @@ static bool choose_methods(Plan *plan, const RenderParams *params, Error *error)
         error->status = STATUS_SCENE;
         return error_prefix(error, "%s:%d: ", scene->file->path, scene->file->sky_line);
     }
-    return auto_light(&plan->light, params->light, &plan->sky, &wish, error) &&
+    return auto_further(&plan->further, params->further, &wish, error) &&
+           auto_light(&plan->light, params->light, &plan->sky, &wish, error) &&
            method_choose(&plan->sequence, METHOD_SEQUENCE, params->sequence, error) &&
            sun_choose(&plan->sun, params->sun_disk, scene, error);
 }
@@ -169,8 +170,8 @@ bool plan_counts_chance(const Plan *plan) {
 bool plan_choose(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
     plan->max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS;
     plan->ozone = params->scene->values.atmosphere.ozone > 0;
-    plan->further = further_is_there(&params->scene->values.atmosphere);
-    plan->orders = params->scene->values.atmosphere.orders > 1;
+    plan->has_further = further_is_there(&params->scene->values.atmosphere);
+    plan->has_orders = params->scene->values.atmosphere.orders > 1;
     plan->spectrum = params->scene->values.atmosphere.spectrum;
     return choose_methods(plan, params, error) && choose_group(plan, params, context, error);
 }
@@ -183,6 +184,6 @@ bool plan_make(Plan *plan, const RenderParams *params, const Context *context, E
 bool plan_same_programs(const Plan *a, const Plan *b) {
     return strcmp(a->sky.text, b->sky.text) == 0 && strcmp(a->light.text, b->light.text) == 0 &&
            strcmp(a->sequence.text, b->sequence.text) == 0 && strcmp(a->sun.text, b->sun.text) == 0 &&
-           a->ozone == b->ozone && a->spectrum == b->spectrum && a->further == b->further &&
-           a->orders == b->orders;
+           a->ozone == b->ozone && a->spectrum == b->spectrum && a->has_further == b->has_further &&
+           a->has_orders == b->has_orders;
 }

@@ -12,7 +12,7 @@
 typedef struct RenderParams {
     const Scene *scene;
     /* NULL for the default. For the sky the default is the scene's own, if it has one. */
-    const char *sky, *light, *sequence;
+    const char *sky, *further, *light, *sequence;
     /* NULL for the scene's. */
     const char *sun_disk;
     /* In pixels; 0 for the scene's. */
@@ -49,7 +49,7 @@ typedef struct SceneNeeds {
 enum { LOOP_LIMIT_UNKNOWN = -1 };
 
 typedef struct Plan {
-    MethodChoice sky, light, sequence, sun;
+    MethodChoice sky, further, light, sequence, sun;
     SceneNeeds needs;
     int max_hits;
     /* The number of samples for which the loops of one draw suffice. */
@@ -61,7 +61,7 @@ typedef struct Plan {
     bool ozone;
     double spectrum;
     /* Whether the sky has light beyond the first order of the air, and whether it has further orders. */
-    bool further, orders;
+    bool has_further, has_orders;
 } Plan;
 
 /* Makes the plan. `context` is where the picture will be drawn, and its limit of loops may be measured there;

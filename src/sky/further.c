@@ -1,7 +1,7 @@
 #include "sky/further.h"
 
 #include "scene/spectrum.h"
-#include "sky/sky.h"
+#include "sky/observer.h"
 
 #include <math.h>
 

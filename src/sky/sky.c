@@ -8,17 +8,6 @@
 #include <math.h>
 #include <stdio.h>
 
-double sky_horizon_sine(const Atmosphere *atmosphere) {
-    double r = atmosphere->planet_radius_m, h = atmosphere->observer_height_m;
-    return -sqrt(h * (2 * r + h)) / (r + h);
-}
-
-double sky_limb_sine(const Atmosphere *atmosphere) {
-    double r = atmosphere->planet_radius_m, h = atmosphere->observer_height_m;
-    double top = atmosphere->top_radius_m - r;
-    return h > top ? -sqrt((h - top) * (2 * r + h + top)) / (r + h) : 1;
-}
-
 void sky_slots(SlotList *slots, const MethodChoice *choice, const Atmosphere *atmosphere) {
     const char *sky = choice->table                ? "pass/sky_table.glsl"
                       : choice->method->integrates ? "pass/sky_direct.glsl"
@@ -34,13 +23,6 @@ void sky_slots(SlotList *slots, const MethodChoice *choice, const Atmosphere *at
     slot_text(slots, "gauss-nodes", nodes);
     further_slots(slots, atmosphere);
     sky_spectrum_slots(slots, atmosphere);
-}
-
-void sky_key(const void *frame, Text *key) {
-    const SkyState *state = &((const Frame *)frame)->state;
-    orders_key(frame, key);
-    text_append(key, &state->atmosphere, sizeof state->atmosphere);
-    text_append(key, &state->sun.elevation_deg, sizeof state->sun.elevation_deg);
 }
 
 static void atmosphere_uniforms(const Atmosphere *a, Uniforms *uniforms) {

@@ -26,7 +26,7 @@ static bool make_text(const void *data, const char *entry, GlslSource *source, E
 static bool create_programs(SkyProbe *probe, const Context *context, SourceStore *sources,
                             const Atmosphere *atmosphere, Error *error) {
     static const ResourceKind *const kinds[] = {FURTHER_TABLES, &sky_table, NULL};
-    Frame frame = {.state.atmosphere = *atmosphere, .sky = &probe->choice};
+    Frame frame = {.state.atmosphere = *atmosphere, .sky = &probe->choice, .further = &probe->further};
     Texts texts = {.sources = sources};
     ResourceTexts maker = {make_text, &texts};
     GlslSource source = {0};
@@ -43,7 +43,9 @@ bool sky_probe_create(SkyProbe *probe, const Context *context, SourceStore *sour
                       const MethodChoice *choice, const Atmosphere *atmosphere, Error *error) {
     const GlApi *gl = &context->gl;
     *probe = (SkyProbe){.gl = gl, .choice = *choice};
-    if (!create_programs(probe, context, sources, atmosphere, error)) goto fail;
+    if (!method_choose(&probe->further, METHOD_FURTHER, NULL, error) ||
+        !create_programs(probe, context, sources, atmosphere, error))
+        goto fail;
     probe->texture[0] = texture_create(gl, SIDE, SIDE, GL_NEAREST, NULL);
     probe->texture[1] = texture_create(gl, SIDE, SIDE, GL_NEAREST, NULL);
     gl->GenFramebuffers(1, &probe->framebuffer);
@@ -67,7 +69,7 @@ void sky_probe_destroy(SkyProbe *probe) {
 
 /* Makes the sky's tables ready for this state and the probe's program the one in use. */
 static bool use(SkyProbe *probe, const SkyState *state, Error *error) {
-    Frame frame = {.state = *state, .sky = &probe->choice};
+    Frame frame = {.state = *state, .sky = &probe->choice, .further = &probe->further};
     Uniforms uniforms = {0};
     sky_uniforms(&frame, &uniforms);
     bool ok = resources_prepare(&probe->tables, &frame, &uniforms, error);

@@ -6,6 +6,8 @@
 typedef struct SkyProbe {
     const GlApi *gl;
     MethodChoice choice;
+    /* How the further orders are computed. The default may be changed between calls. */
+    MethodChoice further;
     Resources tables;
     Program program;
     /* The textures of the directions and of the radiances. */

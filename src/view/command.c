@@ -76,6 +76,7 @@ void view_command(const CommandParams *params, Text *command) {
                renderer->camera.height, renderer->film.samples);
     text_print(command, " --sky %s --light %s --sequence %s --sun-disk=%s", renderer->plan.sky.text,
                renderer->plan.light.text, renderer->plan.sequence.text, renderer->plan.sun.text);
+    if (now->atmosphere.orders > 1) text_print(command, " --further %s", renderer->plan.further.text);
     if (renderer->seed) text_print(command, " --seed %u", renderer->seed);
     if (params->max_hits) text_print(command, " --depth %d", params->max_hits);
     print_number(command, " --sun ", now->sun.elevation_deg);

@@ -107,6 +107,7 @@ static void method_combo(const char *label, MethodFamily family, char *name, siz
 
 static void method_combos(MethodNames *methods) {
     method_combo("sky", METHOD_SKY, methods->sky, sizeof methods->sky);
+    method_combo("further orders", METHOD_FURTHER, methods->further, sizeof methods->further);
     method_combo("light", METHOD_LIGHT, methods->light, sizeof methods->light);
     method_combo("sequence", METHOD_SEQUENCE, methods->sequence, sizeof methods->sequence);
     method_combo("sun's disk", METHOD_SUN, methods->sun_disk, sizeof methods->sun_disk);

@@ -12,7 +12,8 @@ enum { COARSEST = 8, MOST_PREVIEW_SAMPLES = 16 };
 
 static bool same_methods(const MethodNames *a, const MethodNames *b) {
     return strcmp(a->sky, b->sky) == 0 && strcmp(a->light, b->light) == 0 &&
-           strcmp(a->sequence, b->sequence) == 0 && strcmp(a->sun_disk, b->sun_disk) == 0;
+           strcmp(a->sequence, b->sequence) == 0 && strcmp(a->further, b->further) == 0 &&
+           strcmp(a->sun_disk, b->sun_disk) == 0;
 }
 
 static bool same_picture(const Pane *pane, const PaneParams *params) {
@@ -34,6 +35,7 @@ static const char *sky_of(const PaneParams *params) {
 static RenderParams render_params(const PaneParams *params, int coarseness) {
     return (RenderParams){.scene = params->scene,
                           .sky = sky_of(params),
+                          .further = method_name(params->methods->further),
                           .light = method_name(params->methods->light),
                           .sequence = method_name(params->methods->sequence),
                           .sun_disk = method_name(params->methods->sun_disk),

@@ -7,7 +7,7 @@
 
 /* The names of methods, as on the command line. An empty name means auto. */
 typedef struct MethodNames {
-    char sky[48], light[48], sequence[48], sun_disk[48];
+    char sky[48], further[48], light[48], sequence[48], sun_disk[48];
 } MethodNames;
 
 /* Returns a name as the renderer takes it, which is NULL for auto. */
