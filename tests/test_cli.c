@@ -50,8 +50,9 @@ static void test_usage(void **state) {
                    "render scenes/crater.glsl --backend vulkan -o '%s'", out);
     support_expect(2, "no preset 'dawn' (known: noon, afternoon, sunset, early-evening, twilight)",
                    "render scenes/crater.glsl --preset dawn -o '%s'", out);
-    support_expect(2, "unknown atmosphere 'mars' (known: simmons2017, simmons2017-author, earth)",
-                   "render scenes/crater.glsl --atmosphere mars -o '%s'", out);
+    support_expect(
+        2, "unknown atmosphere 'mars' (known: simmons2017, simmons2017-author, simmons2017-ozone, earth)",
+        "render scenes/crater.glsl --atmosphere mars -o '%s'", out);
     support_expect(2, "--set scenes/crater.glsl has no setting 'frob'",
                    "render scenes/crater.glsl --set frob=1 -o '%s'", out);
     support_expect(2, "--set atmosphere.mie_g: 'nan' is not a number",

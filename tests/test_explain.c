@@ -109,7 +109,7 @@ static void test_only_what_is_used(void **state) {
     static const struct {
         const char *with, *without, *words;
     } cases[] = {
-        {"scenes/crater.glsl --atmosphere earth --sky gauss", "scenes/crater.glsl --sky gauss",
+        {"scenes/crater.glsl --atmosphere simmons2017-ozone --sky gauss", "scenes/crater.glsl --sky gauss",
          "a.ozone_half_width_m"},
         {"scenes/crater.glsl --sun-disk", "scenes/crater.glsl", "sphere_reflection("},
         {"scenes/crater.glsl --sun-disk", "scenes/crater.glsl", "sun_disk_table"},

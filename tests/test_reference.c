@@ -214,7 +214,7 @@ static void test_thin(void **state) {
 
 static void test_symmetry(void **state) {
     (void)state;
-    Atmosphere earth = preset("earth");
+    Atmosphere earth = preset("simmons2017-ozone");
     double got[3], mirrored[3], view[3], sun[3], half[3], limb[3];
     for (int i = 0; i < 24; i++) {
         double azimuth = 15 * i + 1, elevation = i * 7 % 40 - 5, turn = 77 * i;
@@ -264,7 +264,7 @@ static void test_extremes(void **state) {
     static const double densities[] = {0, 1, 100, 1e4, 1e6}, gs[] = {-0.999, 0.76, 0.999};
     static const double heights[] = {0, 0.1, 59999, 60000, 60001, 1e6};
     static const double views[] = {90, 45, 1e-9, 0, -1e-9, -10, -90}, suns[] = {90, 1e-9, 0, -3, -90};
-    Atmosphere atmosphere = preset("earth");
+    Atmosphere atmosphere = preset("simmons2017-ozone");
     double got[3];
     int count = 0;
     for (int i = 0; i < 5 * 3 * 6 * 7 * 5; i++) {
@@ -294,7 +294,7 @@ static void test_ozone(void **state) {
                 {10, {-4.9, -13, -0.6}, {0.05, 0.5, 0.05}},
                 {2, {-11, -29, -1.6}, {0.5, 0.5, 0.05}},
                 {-4, {-25, -58, -4}, {0.5, 0.5, 0.5}}};
-    Atmosphere without = preset("simmons2017"), with = preset("earth");
+    Atmosphere without = preset("simmons2017"), with = preset("simmons2017-ozone");
     for (int i = 0; i < 4; i++) {
         double before[3], after[3];
         irradiance(&without, rows[i].sun, before);

@@ -125,7 +125,7 @@ static void test_sun_disk(void **state) {
 static void test_settings(void **state) {
     (void)state;
     Image plain = read_map("--size 16x8 --sun 10"),
-          earth = read_map("--size 16x8 --sun 10 --atmosphere earth");
+          earth = read_map("--size 16x8 --sun 10 --atmosphere simmons2017-ozone");
     Image empty = read_map("--size 16x8 --set atmosphere.rayleigh=0 --set atmosphere.mie=0");
     for (int k = 0; k < 16 * 4; k++) {
         assert_true(earth.rgba[4 * k + 1] < plain.rgba[4 * k + 1]);
@@ -137,7 +137,7 @@ static void test_settings(void **state) {
     /* What is off is not compiled. */
     support_expect(0, "", "flatten scenes/crater.glsl");
     assert_null(strstr(support_out, "absorber_slope"));
-    support_expect(0, "", "flatten scenes/crater.glsl --sky gauss --atmosphere earth");
+    support_expect(0, "", "flatten scenes/crater.glsl --sky gauss --atmosphere simmons2017-ozone");
     assert_non_null(strstr(support_out, "absorber_slope"));
 }
 

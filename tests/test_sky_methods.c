@@ -399,7 +399,7 @@ static void test_earth(void **state) {
     Error error;
     int count = 0;
     support_open(&context);
-    assert_true(atmosphere_choose(&atmosphere, "earth", &error));
+    assert_true(atmosphere_choose(&atmosphere, "simmons2017-ozone", &error));
     open_probe(&context, &probe, "gauss:8", &atmosphere);
     for (int i = 0; i < 7 * 5 * 8; i++) {
         double view[3], sun[3], expected[3], height = heights[i % 5],

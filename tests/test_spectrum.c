@@ -70,10 +70,10 @@ static void test_colors(void **state) {
 static void test_matrices(void **state) {
     (void)state;
     static const double spectra[] = {3, 6};
-    Atmosphere rgb = air_of("earth", SPECTRUM_RGB);
+    Atmosphere rgb = air_of("simmons2017-ozone", SPECTRUM_RGB);
     double matrix[3][3], nm[MOST_WAVELENGTHS];
     for (int s = 0; s < 2; s++) {
-        Atmosphere air = air_of("earth", spectra[s]);
+        Atmosphere air = air_of("simmons2017-ozone", spectra[s]);
         double sums[3] = {0};
         air.sun_irradiance[0] = 7;
         for (int band = 0; band < spectrum_bands(&air); band++) {
@@ -97,7 +97,7 @@ static void test_matrices(void **state) {
 
 static void test_laws(void **state) {
     (void)state;
-    Atmosphere earth = air_of("earth", 6);
+    Atmosphere earth = air_of("simmons2017-ozone", 6);
     Error error;
     assert_true(spectrum_check(&earth, &error));
     earth.mie_angstrom = 1.3;
@@ -196,7 +196,7 @@ static void test_disk(void **state) {
     static const double spectra[] = {3, 6}, most[] = {3, 0.25}, most_luminance[] = {0.03, 0.003};
     double level = 1 / (pi * pow(sin(0.2666 * degree), 2));
     for (int s = 0; s < 2; s++) {
-        Atmosphere air = air_of("earth", spectra[s]);
+        Atmosphere air = air_of("simmons2017-ozone", spectra[s]);
         /* Above the air the sun has the colour of sun_irradiance. */
         Sun sun = sun_at(30, 0, 0.2666);
         double radiance[3], many[3];
@@ -236,7 +236,7 @@ static void test_against_many(void **state) {
         enum { ROWS = 3 * 7 * 4 * 2 * 2 };
         static double many[ROWS][3];
         for (int k = 0; k < ROWS; k++) {
-            Atmosphere air = air_of(k % 2 ? "earth" : "simmons2017", spectra[s]);
+            Atmosphere air = air_of(k % 2 ? "simmons2017-ozone" : "simmons2017", spectra[s]);
             double height = heights[k / 2 % 3], rgb[3], view[3], sun[3];
             for (int c = 0; c < 3; c++) air.sun_irradiance[c] = 1;
             unit_vector(views[k / 42 % 4], azimuths[k / 168], view);
@@ -308,7 +308,7 @@ static void test_methods(void **state) {
         for (int c = 0; c < 3; c++) directions[4 * i + c] = (float)view[c];
     }
     for (int s = 0; s < 3; s++) {
-        Atmosphere air = air_of("earth", spectra[s]);
+        Atmosphere air = air_of("simmons2017-ozone", spectra[s]);
         for (int k = 0; k < 6 * DIRECTIONS; k++) {
             const float *direction = directions + 4 * (k / 6);
             double view[3] = {(double)direction[0], (double)direction[1], (double)direction[2]};
@@ -363,7 +363,8 @@ static void test_negative(void **state) {
     Error error;
     int negative = 0;
     support_expect(0, "",
-                   "sky -o '%s' --size 64x32 --sun -4 --atmosphere earth --set atmosphere.spectrum=6 --quiet",
+                   "sky -o '%s' --size 64x32 --sun -4 --atmosphere simmons2017-ozone --set "
+                   "atmosphere.spectrum=6 --quiet",
                    support_path("map.exr"));
     assert_true(image_read(&image, support_path("map.exr"), &error));
     for (int i = 0; i < 4 * 64 * 32; i++) {
@@ -375,7 +376,8 @@ static void test_negative(void **state) {
     double means[3][3];
     for (int k = 0; k < 3; k++) {
         support_expect(0, "",
-                       "render scenes/crater.glsl -o '%s' --size 48x32 --spp 256 --sun -4 --atmosphere earth "
+                       "render scenes/crater.glsl -o '%s' --size 48x32 --spp 256 --sun -4 --atmosphere "
+                       "simmons2017-ozone "
                        "--set atmosphere.spectrum=6 --quiet %s",
                        support_path("picture.exr"), pictures[k]);
         assert_true(image_read(&image, support_path("picture.exr"), &error));
@@ -397,14 +399,15 @@ static void test_command(void **state) {
     const char *csv = support_write("rows.csv", "1,30,20,40\n1,30,70,150\n2000,3,5,10\n");
     for (int m = 0; m < 3; m++) {
         double value[4], view[3], sun[3], expected[3];
-        support_expect(0, "", "sky --at '%s' --sky %s --atmosphere earth --spectrum=400,475.5,640,830", csv,
-                       methods[m]);
+        support_expect(0, "",
+                       "sky --at '%s' --sky %s --atmosphere simmons2017-ozone --spectrum=400,475.5,640,830",
+                       csv, methods[m]);
         const char *header = "height_m,sun_el_deg,view_el_deg,az_deg,L_400,L_475.5,L_640,L_830\n";
         assert_ptr_equal(support_out, strstr(support_out, header));
         assert_int_equal(sscanf(support_out + strlen(header), "1,30,20,40,%lf,%lf,%lf,%lf\n", &value[0],
                                 &value[1], &value[2], &value[3]),
                          4);
-        Atmosphere earth = air_of("earth", SPECTRUM_RGB), air = spectrum_air_at(&earth, nm + 1);
+        Atmosphere earth = air_of("simmons2017-ozone", SPECTRUM_RGB), air = spectrum_air_at(&earth, nm + 1);
         unit_vector(20, 40, view);
         unit_vector(30, 0, sun);
         sky_reference(&air, 1, view, sun, expected);
@@ -417,7 +420,7 @@ static void test_command(void **state) {
     assert_non_null(strstr(support_out, "az_deg,L_360,L_370,"));
     assert_non_null(strstr(support_out, ",L_830\n"));
     support_expect(0, "", "sky --at '%s' --sky gauss:12 --spectrum --set atmosphere.spectrum=3", csv);
-    Atmosphere few = air_of("earth", 3);
+    Atmosphere few = air_of("simmons2017-ozone", 3);
     double few_nm[MOST_WAVELENGTHS];
     char columns[80];
     spectrum_wavelengths(&few, few_nm);

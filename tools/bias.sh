@@ -9,7 +9,7 @@
 #             other observers.
 #   all       measure and replace.
 #
-# AIRS are `clear` (simmons2017) and `ozone` (earth). PLACES count from 0: up to 1 km, up to 20 km, up to the top of the air, above.
+# AIRS are `clear` (simmons2017) and `ozone` (simmons2017-ozone). PLACES count from 0: up to 1 km, up to 20 km, up to the top of the air, above.
 # SUNS are rows of the table, in degrees. COLUMNS are gauss:4 ... gauss:12, paper:16x4, paper:64x16, rows and columns, the last two
 # for a table's 96 rows and its 32 columns a half. What is not given is all of it, which takes two cores many hours.
 #
@@ -65,7 +65,7 @@ near() {
     }'
 }
 
-atmosphere() { if [ "$1" = ozone ]; then echo earth; else echo simmons2017; fi; }
+atmosphere() { if [ "$1" = ozone ]; then echo simmons2017-ozone; else echo simmons2017; fi; }
 
 # The method that a column measures.
 method() {

@@ -14,7 +14,7 @@
 enum { BIAS_AIRS = 2, BIAS_PLACES = 4, BIAS_SUNS = 15, BIAS_COLUMNS = 11 };
 
 /* The presets of the atmosphere that were measured. */
-static const char *const bias_airs[BIAS_AIRS] = {"simmons2017", "earth"};
+static const char *const bias_airs[BIAS_AIRS] = {"simmons2017", "simmons2017-ozone"};
 
 static const double bias_suns_deg[BIAS_SUNS] = {90, 30, 15, 5, 2, 1, 0.5, 0, -0.2, -1, -4, -6, -8, -10, -12};
 

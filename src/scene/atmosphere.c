@@ -15,18 +15,23 @@
     .mie_g = 0.76, .rayleigh = 1, .mie = 1, .ozone_absorb_per_m = {0.650e-6, 1.881e-6, 0.085e-6},            \
     .ozone_height_m = 25e3, .ozone_half_width_m = 15e3, .sun_irradiance = {20, 20, 20},                      \
     .wavelengths_nm = {680, 550, 440}, .refractive_index = 1.0003, .molecules_per_m3 = 2.545e25,             \
-    .observer_height_m = 1, .orders = 1
+    .observer_height_m = 1
 
 static const AtmospherePreset presets[] = {
     {"simmons2017",
      "Simmons 2017, misprints mended; the default",
-     {SIMMONS2017, .rayleigh_scatter_per_m = {5.8e-6, 13.5e-6, 33.1e-6}}},
+     {SIMMONS2017, .rayleigh_scatter_per_m = {5.8e-6, 13.5e-6, 33.1e-6}, .orders = 1}},
     {"simmons2017-author",
      "the coefficients of the author's program (red scatters 3.8e-6 per metre), without its two bugs",
-     {SIMMONS2017, .rayleigh_scatter_per_m = {3.8e-6, 13.5e-6, 33.1e-6}}},
-    {"earth",
+     {SIMMONS2017, .rayleigh_scatter_per_m = {3.8e-6, 13.5e-6, 33.1e-6}, .orders = 1}},
+    {"simmons2017-ozone",
      "simmons2017 with ozone, a tent of 25 km +- 15 km (Bruneton 2017)",
-     {SIMMONS2017, .rayleigh_scatter_per_m = {5.8e-6, 13.5e-6, 33.1e-6}, .ozone = 1}},
+     {SIMMONS2017, .rayleigh_scatter_per_m = {5.8e-6, 13.5e-6, 33.1e-6}, .ozone = 1, .orders = 1}},
+    {"earth",
+     "simmons2017-ozone with all orders of scattering, a ground of albedo 0.1, and colours from 6 "
+     "wavelengths",
+     {SIMMONS2017, .rayleigh_scatter_per_m = {5.8e-6, 13.5e-6, 33.1e-6}, .ozone = 1, .orders = INFINITY,
+      .ground_albedo = {0.1, 0.1, 0.1}, .spectrum = 6}},
 };
 
 #define ROW(member, length, least, most, text)                                                               \
