@@ -366,6 +366,47 @@ static void test_shadertoy(void **state) {
     desktop_quit(window);
 }
 
+#define ORDERS                                                                                               \
+    "//@ preset sunset sun.elevation 5 atmosphere.mie 0.5\n"                                                 \
+    "//@ camera eye 0 3 -3 target 0 3 0\n#include \"material/matte.glsl\"\n"                                 \
+    "#include \"shape/plane.glsl\"\n"                                                                        \
+    "void scene_intersect(Ray ray, INOUT(Hit) hit) { hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit); }\n"  \
+    "Material scene_material(Hit hit) { return matte(vec3(0.5)); }\n"
+
+/* The frames from this place of the log on that were shown before the sky was ready. */
+static int frames_before_ready(const char *log) {
+    int count = 0;
+    for (const char *at = log; (at = strstr(at, "\"prepared\": ")); at++)
+        count += strtod(at + strlen("\"prepared\": "), NULL) < 1;
+    return count;
+}
+
+/* All orders of scattering are computed in steps, between which frames are shown and events are heard. How
+ * many steps they are depends on the machine: a GPU may need one. */
+static void test_long_sky(void **state) {
+    (void)state;
+    desktop_view(window, "'%s' " SMALL " --set atmosphere.orders=all", support_write("orders.glsl", ORDERS));
+    desktop_expect_rest(window, 16);
+    bool slow = strstr(desktop_log(window), "llvmpipe") != NULL;
+    assert_true(!slow || frames_before_ready(desktop_log(window)) > 1);
+    assert_true(desktop_number(window, "prepared") == 1);
+    desktop_do(window, "key h");
+    desktop_settle(window);
+    double noon = brightness(20, 4, 280, 60);
+    assert_true(noon > 40);
+    size_t before = strlen(desktop_log(window));
+    desktop_do(window, "key 3 key Up key Up");
+    /* The last picture stays until the next one has begun. */
+    if (slow) desktop_expect_number(window, "prepared", 0, 0.999);
+    assert_true(brightness(20, 4, 280, 60) > 40);
+    desktop_expect_number(window, "elevation", 7, 7);
+    desktop_expect_rest(window, 16);
+    assert_true(!slow || frames_before_ready(desktop_log(window) + before) > 1);
+    assert_true(desktop_number(window, "prepared") == 1);
+    assert_true(brightness(20, 4, 280, 60) < 0.95 * noon);
+    desktop_quit(window);
+}
+
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
@@ -380,6 +421,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_setup_teardown(test_equal_time, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_record, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_shadertoy, desktop_setup, desktop_teardown),
+        cmocka_unit_test_setup_teardown(test_long_sky, desktop_setup, desktop_teardown),
     };
     return cmocka_run_group_tests_name("window", tests, support_folder, support_clean);
 }
