@@ -1,5 +1,5 @@
 #version 330 core
-// The observer's rays: one for each row of the table of the further light.
+// The observer's rays: one for each row of the table of the further light, first those above the horizon.
 #include "pass/rays.glsl"
 #include "pass/further_size.glsl"
 #include "sky/root_signed.glsl"
@@ -10,8 +10,10 @@ layout(location = 1) out vec4 by_aerosols;
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
-    int rows = int(2.0 * further_size.y + 0.5);
-    vec3 position = further_position(vec2(0.0, float(texel.y % rows)));
+    int half_rows = int(further_size.y + 0.5);
+    int rows = 2 * half_rows;
+    int row = texel.y % rows;
+    vec3 position = further_position(vec2(0.0, float(row % half_rows)), row < half_rows ? 0.0 : 1.0);
     vec3 view = table_direction(further_horizon, further_limb, position, vec3(1.0, 0.0, 0.0));
     ray_texel(band_air(texel.y / rows), observer_height_m, view.y, texel.x, by_air, by_aerosols);
 }

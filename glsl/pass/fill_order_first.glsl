@@ -1,5 +1,6 @@
 #version 330 core
 // The field of order 1 at each point and in each direction: sunlight that was scattered once, by the air or by the ground.
+const int ORDER_BANDS = 1;
 #include "pass/orders.glsl"
 #include "pass/order_directions.glsl"
 #include "pass/order_nodes.glsl"
@@ -18,7 +19,7 @@ void main() {
     vec3 sky = sums.rayleigh * air.rayleigh_scatter_per_m * rayleigh_phase(view, point.sun) +
                sums.mie * air.mie_scatter_per_m * mie_phase(air.mie_g, view, point.sun);
     OrderRay ray = order_ray(air, point.h, view, point.sun, order_ray_texel(order_grid, point, texel.x, 2 * rays_nodes + 1));
-    vec3 ground = order_end_kept(ray) * band_ground(point.band) / PI * order_sunlight(air, order_end_sine(air, ray));
+    vec3 ground = order_end_kept(ray, 0) * band_ground(point.band) / PI * order_sunlight(air, order_end_sine(air, ray));
     light = vec4((sky + ground) * direction.solid_angle, 0.0);
     angles = order_angles(point, direction, view);
 }

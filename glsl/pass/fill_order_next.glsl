@@ -1,6 +1,7 @@
 #version 330 core
 // The field of an order, at each point and in each direction, from the moments of the order before: light that the air scattered, and that the
 // ground reflected.
+const int ORDER_BANDS = 1;
 #include "pass/orders.glsl"
 #include "pass/order_directions.glsl"
 
@@ -20,9 +21,10 @@ void main() {
     OrderDirection direction = order_direction(air.planet_radius_m, point.h, texel.x);
     vec3 view = order_view(direction);
     OrderRay ray = order_ray(air, point.h, view, point.sun, order_ray_texel(order_grid, point, texel.x, 2 * rays_nodes + 1));
-    vec3 sky = order_gather(order_before, order_before_degree, order_most, point.band, air, ray);
+    vec3 sky[ORDER_BANDS];
+    order_gather(order_before, order_before_degree, order_most, point.band, air, ray, 0, sky);
     vec3 irradiance = order_ground(order_before, order_before_degree, point.band, air, order_end_sine(air, ray));
-    vec3 ground = order_end_kept(ray) * band_ground(point.band) / PI * irradiance;
-    light = vec4((sky + ground) * direction.solid_angle, 0.0);
+    vec3 ground = order_end_kept(ray, 0) * band_ground(point.band) / PI * irradiance;
+    light = vec4((sky[0] + ground) * direction.solid_angle, 0.0);
     angles = order_angles(point, direction, view);
 }

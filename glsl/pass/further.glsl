@@ -8,6 +8,7 @@ uniform sampler2D further_table;
 
 vec3 further_light(vec3 direction) {
     vec3 position = table_position(further_horizon, further_limb, direction, sun_level);
-    vec2 texel = vec2(position.x * (further_size.x - 1.0) + 0.5, position.y * (further_size.y - 1.0) + 0.5 + position.z * further_size.y);
-    return fourth_power(textureLod(further_table, texel / vec2(further_size.x, 2.0 * further_size.y), 0.0).rgb);
+    vec2 texel = vec2(position.x * (further_size.x - 1.0) + 0.5 + position.z * further_size.z, position.y * (further_size.y - 1.0) + 0.5);
+    vec2 size = vec2(further_size.z + further_size.x, further_size.y);
+    return fourth_power(textureLod(further_table, texel / size, 0.0).rgb);
 }

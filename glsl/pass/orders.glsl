@@ -31,18 +31,28 @@ vec3 order_moment(sampler2D field, OrderPlace place, int row) {
            place.weights.w * texelFetch(field, ivec2(place.last.x, row + place.last.y), 0).rgb;
 }
 
+// Light of ORDER_BANDS bands, a constant of the includer.
+struct OrderLight {
+    vec3 by_air[ORDER_BANDS];
+    vec3 by_aerosols[ORDER_BANDS];
+};
+
 // Returns the light that a field scatters in the direction whose cosine to the sun is `nu`, per metre and unit of density: by air in the first
-// result, by aerosols in the second. The texture has harmonics up to `degree`, and those up to `most` are used.
-void order_scatter(sampler2D field, int degree, int most, int band, vec2 at, float nu, float azimuth, OUT(vec3) by_air, OUT(vec3) by_aerosols) {
+// result, by aerosols in the second, for ORDER_BANDS bands from `band` on. The texture has harmonics up to `degree`, and those up to `most` are used.
+OrderLight order_scatter(sampler2D field, int degree, int most, int band, vec2 at, float nu, float azimuth) {
     OrderPlace place = order_corners(at);
     int rows = int(order_grid.rows + 0.5);
-    int base = band * (order_harmonics(degree) + 1) * rows;
+    int band_rows = (order_harmonics(degree) + 1) * rows;
+    int base = band * band_rows;
+    OrderLight light;
+    for (int k = 0; k < ORDER_BANDS; k++) {
+        light.by_air[k] = vec3(0.0);
+        light.by_aerosols[k] = vec3(0.0);
+    }
     float s = sqrt(max(1.0 - nu * nu, 0.0));
     float cosine = 1.0;
     float cosine_before = azimuth;
     float start = 0.0;
-    by_air = vec3(0.0);
-    by_aerosols = vec3(0.0);
     int m = 0;
     do {
         start = order_start(float(m), s, start);
@@ -57,10 +67,14 @@ void order_scatter(sampler2D field, int degree, int most, int band, vec2 at, flo
                 y_before = y;
                 y = next;
             }
-            vec3 share = l == 0 ? vec3(1.0) : order_moment(field, place, row);
-            vec3 part = share * (y * cosine);
-            by_air += part * (l == 0 ? 1.0 : l == 2 ? 0.1 : 0.0);
-            by_aerosols += part * order_aerosol_weight[l];
+            float harmonic = y * cosine;
+            float air_weight = l == 0 ? 1.0 : l == 2 ? 0.1 : 0.0;
+            float aerosol_weight = order_aerosol_weight[l];
+            for (int k = 0; k < ORDER_BANDS; k++) {
+                vec3 share = l == 0 ? vec3(1.0) : order_moment(field, place, row + k * band_rows);
+                light.by_air[k] += share * (harmonic * air_weight);
+                light.by_aerosols[k] += share * (harmonic * aerosol_weight);
+            }
             row += rows;
             l += 1;
         } while (l <= most);
@@ -69,9 +83,12 @@ void order_scatter(sampler2D field, int degree, int most, int band, vec2 at, flo
         cosine = next;
         m += 1;
     } while (m <= most);
-    vec3 whole = exp(order_moment(field, place, base));
-    by_air = max(by_air * whole, vec3(0.0));
-    by_aerosols = max(by_aerosols * whole, vec3(0.0));
+    for (int k = 0; k < ORDER_BANDS; k++) {
+        vec3 whole = exp(order_moment(field, place, base + k * band_rows));
+        light.by_air[k] = max(light.by_air[k] * whole, vec3(0.0));
+        light.by_aerosols[k] = max(light.by_aerosols[k] * whole, vec3(0.0));
+    }
+    return light;
 }
 
 // Returns the irradiance of the ground by a field where the sun's elevation has this sine.
@@ -88,6 +105,9 @@ vec3 order_sunlight(Atmosphere air, float sine) {
     vec2 column = columns_to_top(air, 0.0, b, vec2(1.0));
     return max(sine, 0.0) * transmittance_of(air, column, absorber_column_to_top(air, 0.0, b));
 }
+
+// The share of what air scatters below which the aerosols' harmonics beyond degree 2 are left out.
+const float ORDER_CLEAR = 1.0e-4;
 
 // The nodes of rays (pass/rays.glsl).
 uniform sampler2D rays_air;
@@ -110,9 +130,9 @@ OrderRay order_ray(Atmosphere air, float h, vec3 view, vec3 sun, ivec2 texel) {
     return OrderRay(texel, r * view.y, r * sun.y, dot(view, sun));
 }
 
-// Returns the share of the ground's light that arrives; 0 where the ray ends at the top.
-vec3 order_end_kept(OrderRay ray) {
-    return texelFetch(rays_air, ray.texel + ivec2(2 * rays_nodes, 0), 0).rgb;
+// Returns the share of the ground's light that arrives; 0 where the ray ends at the top. The band's ray lies `rows` rows behind `ray`.
+vec3 order_end_kept(OrderRay ray, int rows) {
+    return texelFetch(rays_air, ray.texel + ivec2(2 * rays_nodes, rows), 0).rgb;
 }
 
 // Returns the sine of the sun's elevation where the ray ends, for a ray that ends at the ground.
@@ -121,10 +141,11 @@ float order_end_sine(Atmosphere air, OrderRay ray) {
     return (ray.b_sun + length * ray.nu) / air.planet_radius_m;
 }
 
-// Returns the light that a field scatters along a ray toward the eye.
-vec3 order_gather(sampler2D field, int degree, int most, int band, Atmosphere air, OrderRay ray) {
+// Sets the light that a field scatters along a ray toward the eye, for ORDER_BANDS bands from `band` on. A band's ray lies `ray_rows` rows behind that of the
+// band before.
+void order_gather(sampler2D field, int degree, int most, int band, Atmosphere air, OrderRay ray, int ray_rows, OUT(vec3) light[ORDER_BANDS]) {
     int nodes = int(texelFetch(rays_aerosols, ray.texel + ivec2(2 * rays_nodes, 0), 0).a + 0.5);
-    vec3 light = vec3(0.0);
+    for (int k = 0; k < ORDER_BANDS; k++) light[k] = vec3(0.0);
     int i = 0;
     do {
         vec4 air_node = texelFetch(rays_air, ray.texel + ivec2(i, 0), 0);
@@ -134,11 +155,15 @@ vec3 order_gather(sampler2D field, int degree, int most, int band, Atmosphere ai
         float r = air.planet_radius_m + h;
         float mu_sun = (ray.b_sun + t * ray.nu) / r;
         float azimuth = order_azimuth((ray.b + t) / r, mu_sun, sqrt(max(1.0 - mu_sun * mu_sun, 0.0)), ray.nu);
-        vec3 by_air;
-        vec3 by_aerosols;
-        order_scatter(field, degree, most, band, order_place(order_grid, air.thickness_m, h, mu_sun), ray.nu, azimuth, by_air, by_aerosols);
-        light += by_air * air_node.rgb + by_aerosols * aerosols_node.rgb;
+        // Air scatters harmonics up to degree 2 only. High up, aerosols scatter next to nothing.
+        bool clear = all(lessThan(aerosols_node.rgb, ORDER_CLEAR * air_node.rgb));
+        OrderLight scattered = order_scatter(field, degree, clear ? min(2, most) : most, band,
+                                             order_place(order_grid, air.thickness_m, h, mu_sun), ray.nu, azimuth);
+        for (int k = 0; k < ORDER_BANDS; k++) {
+            ivec2 node = ray.texel + ivec2(i, k * ray_rows);
+            light[k] += scattered.by_air[k] * texelFetch(rays_air, node, 0).rgb +
+                        scattered.by_aerosols[k] * texelFetch(rays_aerosols, node, 0).rgb;
+        }
         i += 1;
     } while (i < nodes);
-    return light;
 }

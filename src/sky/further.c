@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-enum { TABLE_COLUMNS = 32, TABLE_ROWS = 32, RAY_NODES = 12 };
+enum { TABLE_COLUMNS = 32, TABLE_ROWS = 32, TABLE_BELOW = 64, RAY_NODES = 8 };
 
 bool further_is_there(const Atmosphere *atmosphere) {
     const double *albedo = atmosphere->ground_albedo;
@@ -46,7 +46,7 @@ static bool wants_ground(const void *data) {
 }
 
 static void size_uniforms(const Frame *frame, Uniforms *uniforms) {
-    static const double size[3] = {TABLE_COLUMNS, TABLE_ROWS, 0};
+    static const double size[3] = {TABLE_COLUMNS, TABLE_ROWS, TABLE_BELOW};
     uniforms_declared_in(uniforms, "pass/further_size.glsl");
     uniforms_vec3(uniforms, "further_size", size);
     uniforms_float(uniforms, "further_horizon", sky_horizon_sine(&frame->state.atmosphere));
@@ -86,8 +86,8 @@ const ResourceKind further_rays = {.name = "the observer's rays",
 
 static void table_size(const void *frame, int *width, int *height) {
     (void)frame;
-    *width = TABLE_COLUMNS;
-    *height = 2 * TABLE_ROWS;
+    *width = TABLE_BELOW + TABLE_COLUMNS;
+    *height = TABLE_ROWS;
 }
 
 static void ground_uniforms(const Resource *table, const void *frame, Uniforms *uniforms) {
