@@ -73,16 +73,26 @@ static void choose_directions(SkyJob *job) {
     }
 }
 
+/* Solving for the further orders is most of it, where there are any. */
+static bool watch_solution(void *state, double share) {
+    const Monitor *monitor = &((const SkyJob *)state)->params->monitor;
+    monitor_report(monitor, 0.18 * share, "all orders of scattering in double precision");
+    return !monitor_stopped(monitor);
+}
+
 static void find_truth(SkyJob *job) {
     const SkyState *s = &job->state;
+    const SkyWatch watch = {watch_solution, job};
     double elevation = s->sun.elevation_deg * degree, azimuth = s->sun.azimuth_deg * degree;
     double sun[3] = {cos(elevation) * sin(azimuth), sin(elevation), cos(elevation) * cos(azimuth)};
-    for (int i = 0; i < DIRECTIONS && !monitor_stopped(&job->params->monitor); i++) {
+    SkyTruth *truth = sky_truth_create(&s->atmosphere, &watch);
+    for (int i = 0; truth && i < DIRECTIONS && !monitor_stopped(&job->params->monitor); i++) {
         const float *direction = job->directions + 4 * i;
         double view[3] = {(double)direction[0], (double)direction[1], (double)direction[2]};
-        monitor_report(&job->params->monitor, 0.2 * i / DIRECTIONS, "the sky by adaptive quadrature");
-        sky_truth(&s->atmosphere, s->atmosphere.observer_height_m, view, sun, job->truth + 3 * i);
+        monitor_report(&job->params->monitor, 0.18 + 0.02 * i / DIRECTIONS, "the sky by adaptive quadrature");
+        sky_truth_ask(truth, s->atmosphere.observer_height_m, view, sun, job->truth + 3 * i);
     }
+    sky_truth_destroy(truth);
 }
 
 static int by_size(const void *left, const void *right) {

@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "base/memory.h"
+#include "cmd/gauge.h"
 #include "cmd/sky_rows.h"
 #include "cmd/wavelengths.h"
 #include "scene/spectrum.h"
@@ -9,6 +10,7 @@
 #include "sky/sky_truth.h"
 #include "sky/sun.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -26,11 +28,34 @@ static int compare_rows(const void *left, const void *right) {
     return 0;
 }
 
-static void ask_reference(const Columns *columns, SkyRow *row) {
-    double view[3], sun[3];
-    sky_job_direction(row->view_el_deg, row->az_deg, view);
-    sky_job_direction(row->sun_el_deg, 0, sun);
-    sky_truth(&columns->air, row->height_m, view, sun, row->values + columns->first);
+/* Shows how far the solution is for some of the columns. */
+typedef struct ReferenceGauge {
+    Gauge gauge;
+    double from, to;
+} ReferenceGauge;
+
+static bool watch_reference(void *state, double share) {
+    ReferenceGauge *shown = state;
+    gauge_report(&shown->gauge, shown->from + share * (shown->to - shown->from),
+                 "all orders of scattering in double precision");
+    return true;
+}
+
+static void ask_reference(const SkyJob *job, const Columns *columns, const SkyRows *rows) {
+    ReferenceGauge shown = {.gauge = gauge_start(job->options),
+                            .from = columns->first / (double)rows->columns,
+                            .to = fmin((columns->first + 3) / (double)rows->columns, 1)};
+    SkyWatch watch = {watch_reference, &shown};
+    SkyTruth *truth = sky_truth_create(&columns->air, &watch);
+    for (size_t i = 0; i < rows->count; i++) {
+        SkyRow *row = &rows->rows[i];
+        double view[3], sun[3];
+        sky_job_direction(row->view_el_deg, row->az_deg, view);
+        sky_job_direction(row->sun_el_deg, 0, sun);
+        sky_truth_ask(truth, row->height_m, view, sun, row->values + columns->first);
+    }
+    sky_truth_destroy(truth);
+    gauge_end(&shown.gauge, false);
 }
 
 /* Looks up rows that share an observer and a sun. */
@@ -53,7 +78,7 @@ static bool ask_group(SkyJob *job, const Columns *columns, SkyRow **rows, size_t
 
 static bool ask_columns(SkyJob *job, const Columns *columns, const SkyRows *rows, Error *error) {
     if (method_is_reference(job->options->sky)) {
-        for (size_t i = 0; i < rows->count; i++) ask_reference(columns, &rows->rows[i]);
+        ask_reference(job, columns, rows);
         return true;
     }
     SkyRow **order = memory_get(rows->count, sizeof *order);

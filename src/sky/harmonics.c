@@ -22,14 +22,19 @@ HarmonicStep harmonics_step(int l, int m) {
                           l == m + 1 ? 0 : sqrt((before - mm) / (4 * before - 1))};
 }
 
-void harmonics_at(int most, double nu, double cos_psi, double *values) {
+void harmonics_steps(int most, HarmonicStep *steps) {
+    for (int m = 0, k = 0; m <= most; m++) {
+        for (int l = m; l <= most; l++, k++) steps[k] = harmonics_step(l, m);
+    }
+}
+
+void harmonics_at(const HarmonicStep *steps, int most, double nu, double cos_psi, double *values) {
     double s = sqrt(fmax(0, 1 - nu * nu)), start = 1, cosine = 1, cosine_before = cos_psi;
     for (int m = 0, k = 0; m <= most; m++) {
         double y = 0, y_before = 0;
         for (int l = m; l <= most; l++, k++) {
-            HarmonicStep step = harmonics_step(l, m);
-            double next =
-                l > m ? step.rise * (nu * y - step.fall * y_before) : step.rise * start * (m ? s : 1);
+            double next = l > m ? steps[k].rise * (nu * y - steps[k].fall * y_before)
+                                : steps[k].rise * start * (m ? s : 1);
             y_before = l > m ? y : 0;
             y = next;
             if (l == m) start = y;
@@ -40,6 +45,11 @@ void harmonics_at(int most, double nu, double cos_psi, double *values) {
         cosine_before = cosine;
         cosine = cosine_next;
     }
+}
+
+double harmonics_azimuth(double mu, double mu_sun, double nu) {
+    double across = fmax((1 - nu * nu) * (1 - mu_sun * mu_sun), 1e-30);
+    return fmin(fmax((mu - nu * mu_sun) / sqrt(across), -1), 1);
 }
 
 /* The generating function of Legendre polynomials makes Henyey and Greenstein's function the sum of (2l+1)

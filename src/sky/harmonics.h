@@ -24,9 +24,16 @@ typedef struct HarmonicStep {
 
 HarmonicStep harmonics_step(int l, int m);
 
+/* The steps of all harmonics up to a degree, one for each harmonic. */
+void harmonics_steps(int most, HarmonicStep *steps);
+
 /* All harmonics up to a degree in the direction whose cosine to the axis is `nu` and whose azimuth has the
- * cosine `cos_psi`. They are orthonormal over the sphere. */
-void harmonics_at(int most, double nu, double cos_psi, double *values);
+ * cosine `cos_psi`. They are orthonormal over the sphere. `steps` are those of the same degree. */
+void harmonics_at(const HarmonicStep *steps, int most, double nu, double cos_psi, double *values);
+
+/* The cosine of that azimuth, counted from the zenith. `mu` and `mu_sun` are the sines of elevation of the
+ * direction and of the sun. Where the direction or the sun is no axis of a turn it is between -1 and 1. */
+double harmonics_azimuth(double mu, double mu_sun, double nu);
 
 /* The Legendre coefficients 0 to `most` of the phase function of Cornette and Shanks: chi_l is the integral
  * of P_l(nu) p(nu) over the sphere, so that chi_0 is 1. Accurate to 1e-9. */

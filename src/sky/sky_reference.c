@@ -223,6 +223,27 @@ void sky_reference(const Atmosphere *atmosphere, double height_m, const double v
     for (int c = 0; c < 3; c++) radiance[c] *= atmosphere->sun_irradiance[c];
 }
 
+void sky_reference_ground(const Atmosphere *atmosphere, double height_m, const double view[3],
+                          const double sun[3], double radiance[3]) {
+    double v[3], s[3], start, planet = atmosphere->planet_radius_m;
+    AirPath path;
+    vec3_normalize(view, v);
+    vec3_normalize(sun, s);
+    memset(radiance, 0, 3 * sizeof *radiance);
+    /* On the ground the path has no length, but it ends there. */
+    (void)air_path_clip(atmosphere, height_m, v[1], &path, &start);
+    double rise = (planet + height_m) * s[1] + vec3_dot(v, s) * (start + path.length);
+    if (!path.ground || rise <= 0) return;
+    double to_top = air_distance_out(rise, air_square_above(atmosphere, air_top_height(atmosphere), 0));
+    AirColumns down = air_columns(atmosphere, path.height, path.rise, path.length);
+    AirColumns up = air_columns(atmosphere, 0, rise, to_top);
+    for (int c = 0; c < 3; c++) {
+        double kept = exp(-air_extinction(atmosphere, &down, c) - air_extinction(atmosphere, &up, c));
+        radiance[c] =
+            atmosphere->ground_albedo[c] / pi * rise / planet * kept * atmosphere->sun_irradiance[c];
+    }
+}
+
 void sky_reference_transmittance(const Atmosphere *atmosphere, double height_m, const double direction[3],
                                  double transmittance[3]) {
     double unit[3], start;

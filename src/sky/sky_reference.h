@@ -15,6 +15,11 @@
 void sky_reference(const Atmosphere *atmosphere, double height_m, const double view[3], const double sun[3],
                    double radiance[3]);
 
+/* The radiance toward `view` of sunlight that the ground has scattered: 0 where the ray does not end there.
+ * The relative error is that of the columns, 1e-12. */
+void sky_reference_ground(const Atmosphere *atmosphere, double height_m, const double view[3],
+                          const double sun[3], double radiance[3]);
+
 /* The share of the light from beyond the atmosphere that reaches the observer from `direction`; 0 where the
  * planet blocks it. */
 void sky_reference_transmittance(const Atmosphere *atmosphere, double height_m, const double direction[3],
