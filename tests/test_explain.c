@@ -30,8 +30,12 @@ static void test_crater(void **state) {
     expect_row("Rayleigh scattering", "   needed");
     expect_row("Mie scattering", "   needed");
     expect_row("ozone", "off here");
+    expect_row("further orders of scattering", "off here");
+    expect_row("light from the ground", "off here");
+    expect_row("colours from a spectrum", "off here");
+    expect_row("harmonics beyond degree 8", "        -        -        -   off here");
     expect_row("the sun's disk", "off here");
-    expect_row("sunlight off mirror spheres", "        -        -   off here");
+    expect_row("sunlight off mirror spheres", "        -        -        -   off here");
     expect_row("hits beyond the first", "   needed");
     expect_row("hits beyond the eighth", "not needed");
     expect_row("more than 8 nodes", "off here");
@@ -45,11 +49,14 @@ static void test_crater(void **state) {
 static void test_furnace(void **state) {
     (void)state;
     support_expect(0, "", "explain scenes/furnace.glsl --size 16x16 --depth 2 --error 60");
-    expect_row("Rayleigh scattering", "        -        -   off here");
-    expect_row("more than 4 nodes", "        -        -   off here");
+    expect_row("Rayleigh scattering", "        -        -        -   off here");
+    expect_row("more than 4 nodes", "        -        -        -   off here");
+    expect_row("further orders of scattering", "        -        -        -   off here");
+    expect_row("light from the ground", "        -        -        -   off here");
+    expect_row("colours from a spectrum", "        -        -        -   off here");
     expect_row("hits beyond the first", "not needed"); /* to 60 % */
     expect_row("hits beyond the second", "off here");
-    expect_row("control variate", "        -        -   off here");
+    expect_row("control variate", "        -        -        -   off here");
     support_expect(3, "none.glsl: cannot be read", "explain none.glsl");
     support_expect(2, "--error: '0' is not a number from", "explain scenes/crater.glsl --error 0");
 }
@@ -92,6 +99,45 @@ static void test_change(void **state) {
     assert_true(worth.change_percent < 1e-3);
     assert_true(worth_of(&base, find_term(terms, count, "Mie scattering"), NULL, &worth, &error));
     assert_int_equal(worth.state, TERM_NONE);
+    worth_end(&base);
+    free(terms);
+    scene_destroy(&scene);
+    context_close(&context);
+}
+
+static Worth worth_named(WorthBase *base, const Term *terms, int count, const char *name) {
+    Worth worth;
+    Error error;
+    if (!worth_of(base, find_term(terms, count, name), NULL, &worth, &error)) fail_msg("%s", error.text);
+    return worth;
+}
+
+/* What the further orders are worth under an air that has them. The ground is not seen, but it lights the
+ * air. Degree 14 changes little, and its tables take longer. */
+static void test_orders(void **state) {
+    (void)state;
+    Context context;
+    Scene scene;
+    Error error;
+    WorthBase base;
+    int count;
+    support_open(&context);
+    assert_true(scene_read(&scene, "scenes/crater.glsl", "glsl", &error));
+    scene.values.atmosphere.orders = INFINITY;
+    RenderParams params = {
+        .scene = &scene, .further = "harmonics:8", .width = 8, .height = 8, .error_percent = 1};
+    Term *terms = term_list(&params, &count);
+    if (!worth_begin(&base, &context, &params, 16, NULL, &error)) fail_msg("%s", error.text);
+    Worth orders = worth_named(&base, terms, count, "further orders of scattering");
+    Worth ground = worth_named(&base, terms, count, "light from the ground");
+    Worth harmonics = worth_named(&base, terms, count, "harmonics beyond degree 10");
+    assert_int_equal(orders.state, TERM_ON);
+    assert_int_equal(ground.state, TERM_OFF);
+    assert_int_equal(harmonics.state, TERM_OFF);
+    if (!(orders.change_percent > 25 && orders.change_percent < 60)) fail_msg("%g", orders.change_percent);
+    if (!(ground.change_percent > 3 && ground.change_percent < 15)) fail_msg("%g", ground.change_percent);
+    if (!(harmonics.change_percent < 1)) fail_msg("%g", harmonics.change_percent);
+    assert_true(orders.once_seconds > 0 && harmonics.once_seconds > 0);
     worth_end(&base);
     free(terms);
     scene_destroy(&scene);
@@ -158,8 +204,11 @@ static void test_library_grows(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_crater),        cmocka_unit_test(test_furnace),
-        cmocka_unit_test(test_change),        cmocka_unit_test(test_only_what_is_used),
+        cmocka_unit_test(test_crater),
+        cmocka_unit_test(test_orders),
+        cmocka_unit_test(test_furnace),
+        cmocka_unit_test(test_change),
+        cmocka_unit_test(test_only_what_is_used),
         cmocka_unit_test(test_library_grows),
     };
     return cmocka_run_group_tests_name("explain", tests, support_folder, support_clean);

@@ -1,6 +1,7 @@
 #include "chart/term.h"
 
 #include "base/memory.h"
+#include "scene/spectrum.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,6 +9,9 @@
 
 /* A planet that is this many times larger, with the same air above it, counts as flat. */
 static const double flat = 100;
+
+/* The albedo of a ground that is black in the scene and is lit for comparison: that of the air `earth`. */
+static const double lit_albedo = 0.1;
 
 Variation *variation_create(const RenderParams *params) {
     Variation *variation = memory_get(1, sizeof *variation);
@@ -76,6 +80,51 @@ static void curvature_turn(const Term *term, Variation *variation, bool on) {
     a->planet_radius_m *= flat;
     a->top_radius_m = a->planet_radius_m + thickness;
     variation->params.sky = asks_table(variation) ? "table:gauss:12" : "gauss:12";
+}
+
+static TermState orders_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    return state_of(has_air(renderer), params->scene->values.atmosphere.orders > 1);
+}
+
+static void orders_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    variation->scene.values.atmosphere.orders = on ? INFINITY : 1;
+}
+
+static TermState ground_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    const double *albedo = params->scene->values.atmosphere.ground_albedo;
+    return state_of(has_air(renderer), albedo[0] > 0 || albedo[1] > 0 || albedo[2] > 0);
+}
+
+static void ground_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    for (int c = 0; c < 3; c++) variation->scene.values.atmosphere.ground_albedo[c] = on ? lit_albedo : 0;
+}
+
+static TermState spectrum_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    Atmosphere air = params->scene->values.atmosphere;
+    Error ignored;
+    bool on = air.spectrum != SPECTRUM_RGB;
+    air.spectrum = MOST_WAVELENGTHS;
+    return state_of(has_air(renderer) && spectrum_check(&air, &ignored), on);
+}
+
+static void spectrum_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    variation->scene.values.atmosphere.spectrum = on ? MOST_WAVELENGTHS : SPECTRUM_RGB;
+}
+
+/* The terms "harmonics beyond degree N". */
+static TermState harmonics_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    return state_of(has_air(renderer) && params->scene->values.atmosphere.orders > 1,
+                    renderer->plan.further.degree > term->number);
+}
+
+static void harmonics_turn(const Term *term, Variation *variation, bool on) {
+    variation->params.further = on ? "harmonics:14" : term->number == 10 ? "harmonics:10" : "harmonics:8";
 }
 
 static bool has_disk(const Renderer *renderer) {
@@ -209,6 +258,9 @@ static const Term terms[] = {
     {"Mie scattering", false, mie_state, mie_turn, 0},
     {"ozone", false, ozone_state, ozone_turn, 0},
     {"the planet's curvature", false, curvature_state, curvature_turn, 0},
+    {"further orders of scattering", false, orders_state, orders_turn, 0},
+    {"light from the ground", false, ground_state, ground_turn, 0},
+    {"colours from a spectrum", false, spectrum_state, spectrum_turn, 0},
     {"the sun's disk", false, disk_state, disk_turn, 0},
     {"sunlight off mirror spheres", false, caustic_state, caustic_turn, 0},
     {"sunlight off flat mirrors", false, planes_state, planes_turn, 0},
@@ -219,6 +271,8 @@ static const Term terms[] = {
     {"more than 4 nodes of gauss", false, nodes_state, nodes_turn, 4},
     {"more than 6 nodes", false, nodes_state, nodes_turn, 6},
     {"more than 8 nodes", false, nodes_state, nodes_turn, 8},
+    {"harmonics beyond degree 8", false, harmonics_state, harmonics_turn, 8},
+    {"harmonics beyond degree 10", false, harmonics_state, harmonics_turn, 10},
     {"the sky without a table", false, direct_state, direct_turn, 0},
     {"control variate, toward bounds", true, control_state, control_turn, 0},
     {"sky light sampling (mis)", true, sampling_state, sampling_turn, 0},

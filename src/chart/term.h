@@ -29,7 +29,7 @@ typedef struct Term {
     TermState (*state)(const struct Term *term, const RenderParams *params, const Renderer *renderer);
     /* Turns the term on if it is off, or off if it is on. The variation's methods are named in full. */
     void (*turn)(const struct Term *term, Variation *variation, bool on);
-    /* A number of hits or nodes, or the index of a parameter of the scene. */
+    /* A number of hits or nodes, a degree, or the index of a parameter of the scene. */
     int number;
 } Term;
 

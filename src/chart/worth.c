@@ -1,5 +1,6 @@
 #include "chart/worth.h"
 
+#include "base/clock.h"
 #include "base/memory.h"
 
 #include <math.h>
@@ -159,20 +160,60 @@ static bool compare(WorthBase *base, const Term *term, const Variation *variatio
     return ok;
 }
 
+/* Measures the seconds in which all tables of a renderer are filled for other values than before. */
+static bool time_tables(Renderer *renderer, const Context *context, const RenderParams *params,
+                        double *seconds, Error *error) {
+    renderer->gl->Finish();
+    double start = clock_seconds();
+    bool ok = renderer_restart(renderer, context, params, error);
+    renderer->gl->Finish();
+    *seconds = clock_seconds() - start;
+    return ok;
+}
+
+/* The base and the variation are timed one after the other, so that a busy minute slows both. Their planets
+ * are made larger by some millionths of a percent. All tables are filled anew by that, while the programs and
+ * the picture stay. */
+static bool compare_tables(WorthBase *base, Variation *variation, Renderer *renderer, Worth *worth,
+                           Error *error) {
+    double ours, other, larger = 1 + 1e-8 * ++base->steps;
+    Variation *same = variation_create(base->params);
+    same->scene.values.atmosphere.planet_radius_m *= larger;
+    variation->scene.values.atmosphere.planet_radius_m *= larger;
+    bool ok = time_tables(&base->renderer, base->context, &same->params, &ours, error) &&
+              time_tables(renderer, base->context, &variation->params, &other, error);
+    if (ok) worth->once_seconds = worth->state == TERM_ON ? ours - other : other - ours;
+    free(same);
+    return ok;
+}
+
+/* Whether the variation has the base's air and the methods `before` of looking at it, so that all tables that
+ * take long are the same. */
+static bool has_same_tables(const WorthBase *base, const RenderParams *before, const Variation *variation) {
+    const Atmosphere *a = &base->params->scene->values.atmosphere, *b = &variation->scene.values.atmosphere;
+    return memcmp(a, b, sizeof *a) == 0 && before->sky == variation->params.sky &&
+           before->further == variation->params.further;
+}
+
 bool worth_of(WorthBase *base, const Term *term, bool (*stop)(void), Worth *worth, Error *error) {
     *worth = (Worth){.state = term->state(term, base->params, &base->renderer)};
     if (worth->state == TERM_NONE) return true;
     Variation *variation = variation_create(base->params);
     Renderer renderer;
     /* The other methods stay as they are, because the choice of auto may depend on the term that is turned.
-     */
+     * An air of one order has no quality of further orders that could stay. */
     if (base->renderer.plan.sky.method->integrates) variation->params.sky = base->renderer.plan.sky.text;
+    if (base->params->scene->values.atmosphere.orders > 1)
+        variation->params.further = base->renderer.plan.further.text;
     variation->params.light = base->renderer.plan.light.text;
     variation->params.sequence = base->renderer.plan.sequence.text;
+    RenderParams before = variation->params;
     term->turn(term, variation, worth->state == TERM_OFF);
     bool ok = renderer_create(&renderer, base->context, &variation->params, error);
     if (ok) {
-        ok = compare(base, term, variation, &renderer, stop, worth, error);
+        ok = (has_same_tables(base, &before, variation) ||
+              compare_tables(base, variation, &renderer, worth, error)) &&
+             compare(base, term, variation, &renderer, stop, worth, error);
         renderer_destroy(&renderer);
     }
     free(variation);

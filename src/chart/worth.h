@@ -10,8 +10,11 @@ typedef struct Worth {
     /* The relRMSE between the pictures with the term and without it, in percent. Noise is not part of it.
      * Below `change_known` the change cannot be told from 0. */
     double change_percent, change_known;
-    /* (time with the term) / (time without it) - 1. */
+    /* (time of a sample with the term) / (time of one without it) - 1. */
     double cost_percent;
+    /* (seconds in which all tables are filled with the term) - (those without it). They are spent once,
+     * before the first sample. Other programs on the machine lengthen them. */
+    double once_seconds;
     /* For terms that leave the picture's mean as it is: (time without the term) / (time with it), both to the
      * same noise. */
     double gain;
@@ -23,6 +26,8 @@ typedef struct WorthBase {
     const Context *context;
     Renderer renderer;
     Stopwatch stopwatch;
+    /* How often its tables were filled to be timed. */
+    int steps;
     Image pictures[2];
     unsigned samples;
 } WorthBase;

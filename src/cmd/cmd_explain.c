@@ -15,6 +15,8 @@ enum { DEFAULT_SIDE = 128, SAMPLES = 64 };
 /* A way to less noise is called needed from this gain in time on; a smaller one is within the error of
  * timing. */
 static const double least_gain = 1.1;
+/* A shorter time for tables is not told: it is that of a frame or two. */
+static const double least_seconds = 0.05;
 
 typedef struct Job {
     const Options *options;
@@ -67,16 +69,19 @@ static void print_change(const Term *term, const Worth *worth, char *out, size_t
 }
 
 static void print_row(Job *job, const Term *term, const Worth *worth) {
-    char change[32], cost[32] = "-";
+    char change[32], cost[32] = "-", once[32] = "-";
     print_change(term, worth, change, sizeof change);
     if (worth->state != TERM_NONE) snprintf(cost, sizeof cost, "%+.0f", worth->cost_percent);
-    text_print(&job->table, "  %-32s %9s %8s   %s\n", term->name, change, cost, verdict_of(job, term, worth));
+    if (fabs(worth->once_seconds) > least_seconds) snprintf(once, sizeof once, "%+.2f", worth->once_seconds);
+    text_print(&job->table, "  %-32s %9s %8s %8s   %s\n", term->name, change, cost, once,
+               verdict_of(job, term, worth));
 }
 
 static void print_heading(Job *job, bool same_picture) {
-    text_print(&job->table, same_picture ? "\n  %-32s %9s %8s   at the same noise\n" : "  %-32s %9s %8s\n",
+    text_print(&job->table,
+               same_picture ? "\n  %-32s %9s %8s %8s   at the same noise\n" : "  %-32s %9s %8s %8s\n",
                same_picture ? "ways to the same picture" : "terms of the model",
-               same_picture ? "saves" : "change, %", "cost, %");
+               same_picture ? "saves" : "change, %", "cost, %", "once, s");
 }
 
 static bool explain(Job *job, Gauge *gauge, Error *error) {
@@ -106,11 +111,14 @@ static void print_compiled(Job *job) {
 static void print_results(const Job *job) {
     const Scene *scene = &job->scene;
     const Renderer *renderer = &job->base.renderer;
-    printf("%s, %dx%d, sun at %g, at an error of %g %%: sky %s, sun's disk %s, light %s, sequence %s\n\n%s",
-           scene->file->title[0] ? scene->file->title : scene->file->path, renderer->film.width,
-           renderer->film.height, scene->values.sun.elevation_deg, job->percent, renderer->plan.sky.text,
-           renderer->plan.sun.text, renderer->plan.light.text, renderer->plan.sequence.text,
-           text_string(&job->table));
+    bool further = renderer->plan.sky.method->integrates && scene->values.atmosphere.orders > 1;
+    printf(
+        "%s, %dx%d, sun at %g, at an error of %g %%: sky %s, sun's disk %s, light %s, sequence %s%s%s\n\n%s",
+        scene->file->title[0] ? scene->file->title : scene->file->path, renderer->film.width,
+        renderer->film.height, scene->values.sun.elevation_deg, job->percent, renderer->plan.sky.text,
+        renderer->plan.sun.text, renderer->plan.light.text, renderer->plan.sequence.text,
+        further ? ", further orders " : "", further ? renderer->plan.further.text : "",
+        text_string(&job->table));
 }
 
 Status cmd_explain(const Options *options, Error *error) {
