@@ -1,5 +1,7 @@
 #version 330 core
-// The light beyond the first order and the ground's, by direction: linear sRGB, as fourth roots with their sign. The table is laid out as the sky's.
+// All light of the sky but what the air scatters once, by direction: the further orders, and sunlight that the ground reflects. The table holds
+// linear sRGB as fourth roots with their sign. The sun's irradiance is in it, as it is in band_color(). Each half is laid out as that of the sky's
+// table.
 #include <spectrum>
 
 const int ORDER_BANDS = BANDS;

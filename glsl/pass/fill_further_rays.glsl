@@ -1,5 +1,6 @@
 #version 330 core
-// The observer's rays: one for each row of the table of the further light, first those above the horizon.
+// The observer's rays (pass/rays.glsl), one for each row of the table of the further light: first those above the horizon, then those below, band by
+// band.
 #include "pass/rays.glsl"
 #include "pass/further_size.glsl"
 #include "sky/root_signed.glsl"

@@ -1,6 +1,6 @@
 #version 330 core
-// The ground's light by direction where there is one order: sunlight that the ground scattered, and nothing else. The table is laid out as the sky's, and holds linear
-// sRGB as fourth roots with their sign.
+// The ground's light by direction, for an air of one order: sunlight that the ground reflects, and nothing else. It is laid out and held as in
+// pass/fill_further.glsl.
 const int ORDER_BANDS = 1;
 #include "pass/orders.glsl"
 #include "pass/further_size.glsl"

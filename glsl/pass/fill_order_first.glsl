@@ -1,5 +1,6 @@
 #version 330 core
-// The field of order 1 at each point and in each direction: sunlight that was scattered once, by the air or by the ground.
+// The field of order 1, at each point of the grid and in each direction: sunlight that was scattered once, by the air or by the ground. The sun's
+// irradiance counts as 1.
 const int ORDER_BANDS = 1;
 #include "pass/orders.glsl"
 #include "pass/order_directions.glsl"
@@ -7,6 +8,7 @@ const int ORDER_BANDS = 1;
 
 // The radiance times the direction's solid angle.
 layout(location = 0) out vec4 light;
+// What order_angles() returns.
 layout(location = 1) out vec4 angles;
 
 void main() {

@@ -1,5 +1,6 @@
 #version 330 core
-// The moments of a field: in each texel one of them, at one point. The last tile of a band is the irradiance of the ground.
+// The moments of a field (sky/orders.glsl), one in each texel: a sum over all directions of the field. The last tile of a band has the irradiance of
+// the ground in place of a moment.
 #include "pass/atmosphere.glsl"
 #include <spectrum>
 #include "sky/orders.glsl"
@@ -8,6 +9,7 @@ uniform OrderGrid moments_grid;
 uniform int moments_degree;
 // The number of directions.
 uniform int moments_directions;
+// The outputs of pass/fill_order_first.glsl or pass/fill_order_next.glsl.
 uniform sampler2D order_light;
 uniform sampler2D order_angles;
 
@@ -22,7 +24,7 @@ void main() {
     int band = texel.y / (rows * tiles);
     int row = texel.y % rows;
     bool ground = tile == tiles - 1;
-    // The harmonic's order and degree.
+    // The harmonic's m (`order` here) and its degree.
     int order = 0;
     int first = 0;
     while (!ground && tile - first > moments_degree - order) {

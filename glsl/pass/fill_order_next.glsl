@@ -1,17 +1,18 @@
 #version 330 core
-// The field of an order, at each point and in each direction, from the moments of the order before: light that the air scattered, and that the
-// ground reflected.
+// The field of an order beyond the first, at each point of the grid and in each direction, from the moments of the order before: what these scatter
+// along the ray, and what the ground at the ray's end reflects of their light.
 const int ORDER_BANDS = 1;
 #include "pass/orders.glsl"
 #include "pass/order_directions.glsl"
 
 uniform sampler2D order_before;
-// The degree up to which the texture has harmonics, and that up to which they are used.
+// The degree up to which the texture has harmonics, and the degree up to which they are used.
 uniform int order_before_degree;
 uniform int order_most;
 
 // The radiance times the direction's solid angle.
 layout(location = 0) out vec4 light;
+// What order_angles() returns.
 layout(location = 1) out vec4 angles;
 
 void main() {

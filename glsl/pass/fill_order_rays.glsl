@@ -1,5 +1,6 @@
 #version 330 core
-// The rays along which the field of an order is gathered: across one elevation after the other, along one altitude of the grid after the other.
+// The rays along which the field of an order is gathered (pass/rays.glsl). Across stands the ray of one elevation after the other, with all of its
+// nodes. Along stands one altitude of the grid after the other, band by band.
 #include "pass/rays.glsl"
 #include "pass/order_directions.glsl"
 

@@ -1,6 +1,7 @@
 #version 330 core
-// The moments of all fields together. Beyond the fourth order each is taken to be the one before times the same factor, so that the rest is a
-// geometric series.
+// The moments of all fields together. Each field beyond the fourth is taken to be the one before it times the same factor, which is the fourth
+// field's moment 0 over the third's at each point. So the rest is a geometric series. The factor is 0.9 at most, because the ratio of two fields says
+// little in air that is as good as opaque.
 #include "pass/atmosphere.glsl"
 #include <spectrum>
 #include "sky/orders.glsl"
@@ -8,7 +9,7 @@
 uniform OrderGrid sum_grid;
 // The degrees of the four orders.
 uniform vec4 sum_degrees;
-// Which of the orders 2 to 4 count, and how many orders follow the fourth (-1: all).
+// 1 for each of the fields 2 to 4 that counts and 0 for others, and how many fields follow the fourth (-1 for all).
 uniform vec4 sum_orders;
 uniform sampler2D order_1_moments;
 uniform sampler2D order_2_moments;
@@ -22,13 +23,13 @@ struct SumTexel {
     int band;
     ivec2 point;
     bool ground;
-    // The harmonic's degree and order.
+    // The harmonic's degree and its turns about the axis.
     int l;
     int m;
 };
 
-// Returns the first row of a tile in the moments of an order up to this degree. The tile is that of the texel, or with `whole` that of the number from which
-// its shares are taken.
+// Returns the texel's row in a texture of moments up to this degree. If `whole` is set, it is the row of what the texel is a share of: of moment 0,
+// or of the ground's irradiance.
 int sum_row(SumTexel texel, float degree, bool whole) {
     int most = int(degree + 0.5);
     int tiles = order_harmonics(most) + 1;
@@ -36,18 +37,18 @@ int sum_row(SumTexel texel, float degree, bool whole) {
     return (texel.band * tiles + tile) * int(sum_grid.rows + 0.5) + texel.point.y;
 }
 
-// Returns the logarithm of an order's moment 0, or of its irradiance of the ground.
+// Returns the logarithm of a field's moment 0, or of its irradiance of the ground if the texel stands for that.
 vec3 sum_whole(sampler2D moments, SumTexel texel, float degree) {
     return texelFetch(moments, ivec2(texel.point.x, sum_row(texel, degree, true)), 0).rgb;
 }
 
-// Returns the texel's share of moment 0 in an order; 0 if it is beyond the order's degree.
+// Returns a field's moment as a share of moment 0. It is 0 if the field has no harmonics of that degree.
 vec3 sum_share(sampler2D moments, SumTexel texel, float degree) {
     ivec2 at = ivec2(texel.point.x, sum_row(texel, degree, false));
     return float(texel.l) > degree + 0.5 ? vec3(0.0) : texelFetch(moments, at, 0).rgb;
 }
 
-// Returns the factor of the fourth order for those that follow it.
+// Returns by how much the fourth field is to be multiplied, to stand for those that follow it too. The arguments are logarithms.
 vec3 sum_tail(vec3 fourth, vec3 third) {
     vec3 ratio = min(exp(fourth - third), vec3(0.9));
     vec3 left = sum_orders.w < 0.0 ? vec3(0.0) : pow(ratio, vec3(sum_orders.w + 1.0));

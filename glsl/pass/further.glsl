@@ -1,4 +1,4 @@
-// The light beyond the first order and the ground's, from a table (pass/fill_further.glsl).
+// The light of the further orders and of the ground, from a table (pass/fill_further.glsl).
 #include "pass/sun.glsl"
 #include "pass/further_size.glsl"
 #include "sky/root_signed.glsl"

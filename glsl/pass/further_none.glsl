@@ -1,4 +1,4 @@
-// The sky has one order and its ground is black.
+// There is no further light, because the air has one order and the ground is black.
 #include "math/dialect.glsl"
 
 vec3 further_light(vec3 direction) {

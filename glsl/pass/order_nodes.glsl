@@ -1,5 +1,5 @@
-// Single scattering by quadrature along the ray, for the field of order 1. The number of nodes is a uniform, so that loops over nodes are not
-// written out by the compiler, which would take it long.
+// Single scattering by quadrature along the ray, for the field of order 1. The number of nodes is a uniform, so that the compiler does not write out
+// the loops over nodes. That would take it seconds.
 #include <absorber>
 #include <view-column>
 #include "sky/sums_add.glsl"

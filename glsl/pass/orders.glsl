@@ -1,4 +1,5 @@
-// Lookups of the field of an order of scattering, for the passes that compute the further orders (sky/orders.glsl).
+// What a field of light scatters at a point, on the ground and along a ray, for the passes that compute the further orders (sky/orders.glsl). The
+// includer defines the constant ORDER_BANDS, the number of bands that are computed together: harmonics and places are the same for all bands.
 #include <spectrum>
 #include <absorber>
 #include "sky/column.glsl"
@@ -6,11 +7,11 @@
 #include "sky/sums.glsl"
 
 uniform OrderGrid order_grid;
-// The weights of aerosols' scattering, by degree.
+// The weights of scattering by aerosols, by the harmonics' degree.
 uniform float order_aerosol_weight[25];
 
-// A texture of moments, the degree up to which it has harmonics, and a place in its tiles: four texels and their weights. The interpolation is written
-// out, because the hardware's has too few digits.
+// A place in the tiles of a texture of moments: the first and the last of four texels, and the weights of the four. The interpolation is written out,
+// because samplers may compute weights to eight bits only.
 struct OrderPlace {
     ivec2 first;
     ivec2 last;
@@ -23,7 +24,7 @@ OrderPlace order_corners(vec2 place) {
     return OrderPlace(ivec2(first), ivec2(first) + 1, vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y));
 }
 
-// Returns the moment in the tile that begins at this row of the texture.
+// Returns what the tile that begins at this row of the texture holds at a place.
 vec3 order_moment(sampler2D field, OrderPlace place, int row) {
     return place.weights.x * texelFetch(field, ivec2(place.first.x, row + place.first.y), 0).rgb +
            place.weights.y * texelFetch(field, ivec2(place.last.x, row + place.first.y), 0).rgb +
@@ -31,14 +32,15 @@ vec3 order_moment(sampler2D field, OrderPlace place, int row) {
            place.weights.w * texelFetch(field, ivec2(place.last.x, row + place.last.y), 0).rgb;
 }
 
-// Light of ORDER_BANDS bands, a constant of the includer.
+// What a field scatters, for ORDER_BANDS bands.
 struct OrderLight {
     vec3 by_air[ORDER_BANDS];
     vec3 by_aerosols[ORDER_BANDS];
 };
 
-// Returns the light that a field scatters in the direction whose cosine to the sun is `nu`, per metre and unit of density: by air in the first
-// result, by aerosols in the second, for ORDER_BANDS bands from `band` on. The texture has harmonics up to `degree`, and those up to `most` are used.
+// Returns the radiance that a field scatters into a direction, divided by the coefficient of scattering and the length, for ORDER_BANDS bands from
+// `band` on. `nu` is the direction's cosine to the sun, and `azimuth` is the cosine of its azimuth about the sun. The texture has harmonics up to
+// `degree`, of which those up to `most` are used. Where the sum of harmonics is below 0, which the true radiance never is, 0 is returned.
 OrderLight order_scatter(sampler2D field, int degree, int most, int band, vec2 at, float nu, float azimuth) {
     OrderPlace place = order_corners(at);
     int rows = int(order_grid.rows + 0.5);
@@ -91,7 +93,7 @@ OrderLight order_scatter(sampler2D field, int degree, int most, int band, vec2 a
     return light;
 }
 
-// Returns the irradiance of the ground by a field where the sun's elevation has this sine.
+// Returns the irradiance of level ground by a field, where the sun's elevation has this sine.
 vec3 order_ground(sampler2D field, int degree, int band, Atmosphere air, float sine) {
     int rows = int(order_grid.rows + 0.5);
     int tiles = order_harmonics(degree) + 1;
@@ -106,19 +108,19 @@ vec3 order_sunlight(Atmosphere air, float sine) {
     return max(sine, 0.0) * transmittance_of(air, column, absorber_column_to_top(air, 0.0, b));
 }
 
-// The share of what air scatters below which the aerosols' harmonics beyond degree 2 are left out.
+// Where aerosols scatter less than this share of what the air scatters, their harmonics beyond degree 2 are left out.
 const float ORDER_CLEAR = 1.0e-4;
 
-// The nodes of rays (pass/rays.glsl).
+// The nodes of the rays along which light is gathered (pass/rays.glsl).
 uniform sampler2D rays_air;
 uniform sampler2D rays_aerosols;
-// The nodes of a ray that does not pass its perigee.
+// The number of nodes of a ray that does not pass its perigee.
 uniform int rays_nodes;
 
 struct OrderRay {
-    // Of its first node.
+    // The texel of its first node.
     ivec2 texel;
-    // The distance from the planet's centre times the sine of elevation: of the ray at its origin, and of the sun.
+    // The distance of the ray's origin from the planet's centre, times the sine of the ray's elevation there, and times that of the sun's.
     float b;
     float b_sun;
     // The cosine between the ray and the sun.
@@ -130,19 +132,20 @@ OrderRay order_ray(Atmosphere air, float h, vec3 view, vec3 sun, ivec2 texel) {
     return OrderRay(texel, r * view.y, r * sun.y, dot(view, sun));
 }
 
-// Returns the share of the ground's light that arrives; 0 where the ray ends at the top. The band's ray lies `rows` rows behind `ray`.
+// Returns the share of the ground's light that arrives at the ray's origin, for the band whose ray lies `rows` rows behind `ray`. It is 0 for a ray
+// that ends at the top of the air.
 vec3 order_end_kept(OrderRay ray, int rows) {
     return texelFetch(rays_air, ray.texel + ivec2(2 * rays_nodes, rows), 0).rgb;
 }
 
-// Returns the sine of the sun's elevation where the ray ends, for a ray that ends at the ground.
+// Returns the sine of the sun's elevation at the end of a ray that ends at the ground.
 float order_end_sine(Atmosphere air, OrderRay ray) {
     float length = texelFetch(rays_air, ray.texel + ivec2(2 * rays_nodes, 0), 0).a;
     return (ray.b_sun + length * ray.nu) / air.planet_radius_m;
 }
 
-// Sets the light that a field scatters along a ray toward the eye, for ORDER_BANDS bands from `band` on. A band's ray lies `ray_rows` rows behind that of the
-// band before.
+// Computes the radiance that a field scatters along a ray toward its origin, as far as it arrives there, for ORDER_BANDS bands from `band` on. A
+// band's ray lies `ray_rows` rows behind that of the band before.
 void order_gather(sampler2D field, int degree, int most, int band, Atmosphere air, OrderRay ray, int ray_rows, OUT(vec3) light[ORDER_BANDS]) {
     int nodes = int(texelFetch(rays_aerosols, ray.texel + ivec2(2 * rays_nodes, 0), 0).a + 0.5);
     for (int k = 0; k < ORDER_BANDS; k++) light[k] = vec3(0.0);
@@ -155,7 +158,7 @@ void order_gather(sampler2D field, int degree, int most, int band, Atmosphere ai
         float r = air.planet_radius_m + h;
         float mu_sun = (ray.b_sun + t * ray.nu) / r;
         float azimuth = order_azimuth((ray.b + t) / r, mu_sun, sqrt(max(1.0 - mu_sun * mu_sun, 0.0)), ray.nu);
-        // Air scatters harmonics up to degree 2 only. High up, aerosols scatter next to nothing.
+        // Air scatters harmonics up to degree 2 only, and high up there are next to no aerosols.
         bool clear = all(lessThan(aerosols_node.rgb, ORDER_CLEAR * air_node.rgb));
         OrderLight scattered = order_scatter(field, degree, clear ? min(2, most) : most, band,
                                              order_place(order_grid, air.thickness_m, h, mu_sun), ray.nu, azimuth);

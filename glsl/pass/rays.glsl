@@ -1,16 +1,19 @@
-// The quadrature along rays of the passes that compute the further orders. Where its nodes lie and what the air lets through depends on the ray's
-// altitude and elevation alone, and neither on the sun nor on the azimuth. So it is computed once, with a texel for each node of each ray.
+// The nodes of the quadrature along a ray, for the passes that compute the further orders. Where the nodes lie and how much light arrives from them
+// depends on the altitude of the ray's origin and on the ray's elevation, and neither on the sun nor on the azimuth. So it is computed once, and rays
+// that differ in these alone share it. A texel stands for a node of a ray.
 //
-// Texture 0 of a node holds what air scatters, as a share of the light that falls on it and that arrives at the eye, and the distance. Texture 1 holds
-// the same for aerosols, and the altitude. The texel behind the nodes holds the share of the ground's light that arrives (0 where the ray ends at the top) and the ray's
-// length, and then the number of nodes: a ray that passes its perigee has twice as many.
+// Texture 0 holds a factor for the light that the air scatters and, in its fourth channel, the node's distance from the origin. The factor is the
+// coefficient of scattering, times the length for which the node stands, times the transmittance to the origin. Texture 1 holds the same for
+// aerosols, and the node's altitude. Behind the nodes is one more texel. Texture 0 then holds the share of the ground's light that arrives, which is
+// 0 if the ray ends at the top of the air, and the ray's length. The fourth channel of texture 1 is then the number of nodes. A ray that passes its
+// perigee is cut there, and has twice as many as others.
 #include <spectrum>
 #include <absorber>
 #include <view-column>
 #include "sky/column.glsl"
 #include "sky/sums.glsl"
 
-// The nodes of a segment, as in sky/gauss.glsl.
+// The nodes of a segment (GaussTable in sky/gauss.glsl).
 uniform int ray_nodes;
 uniform float ray_node[12];
 uniform float ray_weight[12];
@@ -19,13 +22,14 @@ uniform float ray_cumulative[144];
 // How far nodes crowd where the air is dense, as in sky/gauss.glsl.
 const float RAY_CROWDING = 0.5;
 
+// A part of a ray, as distances from its origin, and whether it descends all along.
 struct RaySegment {
     float from;
     float to;
     bool descends;
 };
 
-// Returns the distance of node i, and in y the distance's derivative by the node's coordinate.
+// Returns the distance of node i, and in y the derivative of the distance by the node's coordinate.
 vec2 ray_at(RaySegment segment, int i) {
     float u = ray_node[i];
     float s = 1.0 / (1.0 + RAY_CROWDING - u);
@@ -34,7 +38,7 @@ vec2 ray_at(RaySegment segment, int i) {
     return vec2(segment.descends ? segment.to - x : segment.from + x, length * RAY_CROWDING * (1.0 + RAY_CROWDING) * s * s);
 }
 
-// Returns the columns from the segment's begin up to node i, or those of all of it if i is -1.
+// Returns the columns from the segment's begin to node i, or those of the whole segment if i is -1.
 vec2 ray_columns(Atmosphere air, float h, float r, float b, RaySegment segment, int i) {
     vec2 column = vec2(0.0);
     vec2 total = vec2(0.0);
@@ -49,7 +53,7 @@ vec2 ray_columns(Atmosphere air, float h, float r, float b, RaySegment segment, 
     return i < 0 ? total : segment.descends ? total - column : column;
 }
 
-// Writes both textures' texel number i of a ray from altitude h, whose elevation has the sine `mu`.
+// Computes texel number i, in both textures, of a ray that starts at altitude h and whose elevation there has the sine `mu`.
 void ray_texel(Atmosphere air, float h, float mu, int i, OUT(vec4) by_air, OUT(vec4) by_aerosols) {
     float r = air.planet_radius_m + h;
     float b = r * mu;

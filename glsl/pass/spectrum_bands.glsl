@@ -1,5 +1,5 @@
-// Colours from several wavelengths (src/scene/spectrum.h). A band is three wavelengths, which are computed as the channels of a vec3. The sun's irradiance
-// is 1 at each wavelength, because the matrix has the sun's colour.
+// Colours from several wavelengths (src/scene/spectrum.h). A band is three wavelengths, which are computed as the channels of a vec3. The sun's
+// irradiance is 1 at each wavelength, because the matrix has the sun's colour.
 #include "pass/atmosphere.glsl"
 // The constant BANDS.
 #include <bands>

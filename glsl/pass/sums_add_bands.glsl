@@ -1,5 +1,5 @@
-// Coloured sums of all bands. Scattering coefficients are in them, because a colour mixes wavelengths whose coefficients differ. The phase functions are not, because they are the same for
-// all wavelengths. What does not depend on the wavelength is computed once for all bands.
+// Coloured sums of all bands. Scattering coefficients are in them, because a colour mixes wavelengths whose coefficients differ. The phase functions
+// are not, because they are the same for all wavelengths. What does not depend on the wavelength is computed once for all bands.
 #include "sky/sums.glsl"
 #include "pass/spectrum_bands.glsl"
 

@@ -1,5 +1,5 @@
-// Of the light that aerosols scatter on its way to the eye, a share goes on so nearly straight that it counts as not scattered. What it would have
-// lost elsewhere is left out of the further orders (pass/orders.glsl).
+// Of the light that aerosols scatter on its way to the eye, a share goes on so nearly straight that it counts as not scattered. The weights of the
+// further orders leave out the same share (order_aerosol_weight in pass/orders.glsl), so that no light is lost or counted twice.
 #include "math/dialect.glsl"
 
 // The share of the aerosols' extinction that is left.

@@ -9,8 +9,8 @@
 // There are eight lists, one for each octant of directions, so that a ray meets the nearer half of a box first. The boxes of a list have their near
 // and far corners as that octant sees them.
 //
-// An entry is two texels. Those of a box are (near corner, 0) and (far corner, number of entries to skip if the ray misses the box). Those of a sphere
-// are (centre, radius) and (number, 0, 0, 0).
+// An entry is two texels. Those of a box are (near corner, 0) and (far corner, number of entries to skip if the ray misses the box). Those of a
+// sphere are (centre, radius) and (number, 0, 0, 0).
 vec4 spheres_texel(int i);
 // Returns the number of entries of one list.
 int spheres_entries();

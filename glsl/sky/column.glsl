@@ -7,8 +7,8 @@
 // (1 + z) / sqrt(c^2 + 2 z + z^2) dz. If this is expanded about z = 0, the integrals over exp(-X z) are erfcx again. The sum is the first order times
 // 1 + F(y) / X, with F = 3/8 - y^2/2 + y^4/2 + 2 y (3/8 - y^2/4) / (sqrt(pi) erfcx(y)).
 //
-// The part above the top is subtracted, by the same formula. The error is 2e-6 from the fits below and 1 / X^2 from the expansion. For the Earth's air
-// it is 1e-5 in all.
+// The part above the top is subtracted, by the same formula. The error is 2e-6 from the fits below and 1 / X^2 from the expansion. For the Earth's
+// air it is 1e-5 in all.
 #include "sky/atmosphere.glsl"
 
 // Returns erfcx(y) = exp(y^2) erfc(y) for y >= 0, with a relative error of 2e-6.

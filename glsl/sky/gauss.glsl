@@ -1,5 +1,5 @@
-// Gauss-Legendre quadrature along the view ray, with gauss_count() nodes a segment, GAUSS_NODES at most. The includer defines both. Columns toward the sun are in
-// closed form, and columns back to the eye come from the densities at the nodes.
+// Gauss-Legendre quadrature along the view ray, with gauss_count() nodes a segment, GAUSS_NODES at most. The includer defines both. Columns toward
+// the sun are in closed form, and columns back to the eye come from the densities at the nodes.
 //
 // The ray is cut where the integrand is not smooth: at its perigee, at the planet's shadow, and where sunlight has passed half a scale height above
 // the ground. Just outside of the shadow, sunlight falls to nothing within a short distance. The last cut reduces the largest error of 8 nodes from

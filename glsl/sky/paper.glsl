@@ -1,5 +1,5 @@
-// The paper's sums for single scattering (Simmons 2017, after Nishita 1993). There are N uniform steps along the view ray. For each of them there are M
-// uniform steps back to the eye and M toward the sun. Each step is evaluated at its middle.
+// The paper's sums for single scattering (Simmons 2017, after Nishita 1993). There are N uniform steps along the view ray. For each of them there are
+// M uniform steps back to the eye and M toward the sun. Each step is evaluated at its middle.
 #include "sky/sums.glsl"
 
 float absorber_density(Atmosphere a, float h);

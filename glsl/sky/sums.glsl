@@ -1,5 +1,5 @@
-// The result of every sky method that integrates: single scattering summed along a ray, without the phase functions. The sums are smooth over the sky,
-// so that a table can hold them.
+// The result of every sky method that integrates: single scattering summed along a ray, without the phase functions. The sums are smooth over the
+// sky, so that a table can hold them.
 #include "sky/atmosphere.glsl"
 #include "sky/phase.glsl"
 

@@ -53,7 +53,8 @@ static void size_uniforms(const Frame *frame, Uniforms *uniforms) {
     uniforms_float(uniforms, "further_limb", sky_limb_sine(&frame->state.atmosphere));
 }
 
-/* further_rays depend on the air, the observer and the quality. */
+/* further_rays depend on the air, the observer and the quality, and not on the sun. The quality matters
+ * because a share of the aerosols' extinction is left out with it (orders_kept()). */
 
 static void rays_key(const void *data, Text *key) {
     const Frame *frame = data;

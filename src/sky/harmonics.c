@@ -15,7 +15,7 @@ int harmonics_index(int most, int l, int m) {
 HarmonicStep harmonics_step(int l, int m) {
     double ll = l * l, mm = m * m;
     if (l == 0) return (HarmonicStep){1 / sqrt(4 * pi), 0};
-    /* The factor sqrt(2) of all orders above 0 enters once, at m = 1. */
+    /* The factor sqrt(2) of all harmonics with m > 0 enters once, at m = 1. */
     if (l == m) return (HarmonicStep){sqrt((2 * m + 1.0) / (2 * m)) * (m == 1 ? sqrt(2) : 1), 0};
     double before = (l - 1) * (l - 1);
     return (HarmonicStep){sqrt((4 * ll - 1) / (ll - mm)),

@@ -1,8 +1,9 @@
 /* Real spherical harmonics about the direction of the sun, and phase functions as sums of Legendre
  * polynomials: what the further orders of scattering are made of (glsl/sky/README.md).
  *
- * Only harmonics that are even in the azimuth are needed. Those up to a degree are numbered by their order m
- * first and by their degree l within it: (m,l) = (0,0), (0,1) ... (0,most), (1,1), (1,2) ... */
+ * A harmonic has a degree l and a number m of turns about the axis, from 0 to l. Only harmonics that are even
+ * in the azimuth are needed, because the light is the same on both sides of the sun. Those up to a degree are
+ * numbered by m first and by l within it: (m,l) = (0,0), (0,1) ... (0,most), (1,1), (1,2) ... */
 #pragma once
 
 enum {
@@ -13,11 +14,11 @@ enum {
 /* The number of harmonics up to a degree. */
 int harmonics_count(int most);
 
-/* The number of the harmonic of order m and degree l among those up to `most`. */
+/* The number of the harmonic with m turns and degree l among those up to the degree `most`. */
 int harmonics_index(int most, int l, int m);
 
 /* The recurrence Y(l,m) = rise (nu Y(l-1,m) - fall Y(l-2,m)) of the normalised Legendre functions of nu, for
- * l > m. For l = m, Y(m,m) = rise sqrt(1 - nu^2) Y(m-1,m-1), with Y(0,0) = rise. */
+ * l > m. For l = m > 0, Y(m,m) = rise sqrt(1 - nu^2) Y(m-1,m-1). Y(0,0) = rise. */
 typedef struct HarmonicStep {
     double rise, fall;
 } HarmonicStep;

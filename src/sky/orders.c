@@ -18,13 +18,13 @@ void orders_key(const Frame *frame, Text *key) {
     if (frame->state.atmosphere.orders > 1) text_append(key, &most, sizeof most);
 }
 
-/* All of them are inputs of the further light, and wanted only as such. */
+/* All tables here are inputs of the further light, and wanted only as such. */
 static bool wants_none(const void *frame) {
     (void)frame;
     return false;
 }
 
-/* The air alone. */
+/* The tables depend on the air and the ground. The observer and the sun's irradiance have no influence. */
 static void air_key(const void *data, Text *key) {
     const Frame *frame = data;
     Atmosphere air = frame->state.atmosphere;
@@ -132,7 +132,8 @@ static void moments_uniforms(const Frame *frame, int k, Uniforms *uniforms) {
     uniforms_int(uniforms, "moments_directions", order_directions(&plan->orders[k]));
 }
 
-/* Each kind has functions of its own, since these do not know the kind that they are called for. */
+/* A kind's functions are not told for which kind they are called. Therefore each kind has functions of its
+ * own. */
 #define FUNCTIONS(what, k)                                                                                   \
     static void what##_size_##k(const void *frame, int *width, int *height) {                                \
         what##_size(frame, k, width, height);                                                                \
@@ -198,7 +199,8 @@ static void sum_size(const void *frame, int *width, int *height) {
     moments_size(frame, 0, width, height);
 }
 
-/* The field of order k is seen as light of order k + 1. */
+/* The field of order k is seen by the light that it scatters, which has the order k + 1. So of N orders the
+ * fields up to N - 1 count. Field 1 always does, because this table is filled for 2 orders or more. */
 static void sum_uniforms(const Resource *sum, const void *data, Uniforms *uniforms) {
     const Frame *frame = data;
     const OrdersPlan *plan = orders_plan_of(frame);

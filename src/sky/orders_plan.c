@@ -5,8 +5,9 @@
 
 #include <math.h>
 
-/* The smoother a field is, the fewer harmonics and directions it needs: tests/test_orders.c has the errors.
- */
+/* A field is smoother than the one before it, and needs fewer harmonics and directions. Order 1 has the
+ * aureole about the sun and a sharp horizon, and needs most. glsl/sky/README.md has the errors of each
+ * quality. */
 static const OrdersPlan plans[] = {
     {64, 16, {{8, 14, 6, 14}, {4, 6, 3, 6}, {4, 6, 3, 6}, {4, 6, 3, 6}}},
     {64, 16, {{10, 14, 6, 14}, {6, 8, 4, 8}, {4, 6, 3, 6}, {4, 6, 3, 6}}},
@@ -37,8 +38,10 @@ OrdersColumns orders_columns(void) {
     return columns;
 }
 
-/* The Legendre coefficient three degrees above those that are kept: measured as the best over the sky. A peak
- * that points backward cannot be taken as light that goes on. */
+/* The Legendre coefficient three degrees above those that are kept, which was the best of those measured over
+ * the sky. The usual choice is the coefficient one degree above (Wiscombe 1977), which was far too large:
+ * with degree 4 it was worse than no peak at all. If g is negative the peak points backward, and cannot count
+ * as light that goes on. */
 double orders_peak(const Atmosphere *atmosphere, const OrdersPlan *plan) {
     double chi[ORDERS_MOST_DEGREE + 4];
     int beyond = plan->orders[0].degree + 3;
