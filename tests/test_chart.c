@@ -4,12 +4,15 @@
 
 #include "base/file.h"
 #include "base/memory.h"
+#include "chart/chart_further.h"
 #include "chart/ledger.h"
 #include "chart/pareto.h"
 #include "chart/plot_axis.h"
 #include "chart/plot_write.h"
 #include "chart/reference.h"
+#include "chart/sky_error.h"
 #include "chart/slope.h"
+#include "sky/sky_probe.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -171,6 +174,72 @@ static void test_reference(void **state) {
     context_close(&context);
 }
 
+static void test_sky_error(void **state) {
+    (void)state;
+    const float radiances[8] = {1.01F, 2, 3, 1, 4, 5, 0, 1};
+    const double truth[6] = {1, 2, 3, 4, 5, 0};
+    SkyError error = sky_error(radiances, truth, 2);
+    assert_true(fabs(error.largest - 1) < 1e-4 && fabs(error.p99 - 1) < 1e-4);
+    assert_true(fabs(error.rms - sqrt(1.0 / 6)) < 1e-4);
+}
+
+enum { FURTHER_DIRECTIONS = 16 };
+
+/* The points of the further orders' qualities. The best of them stands for the truth here, as the reference
+ * takes too long for a test. */
+static void test_further(void **state) {
+    (void)state;
+    Context context;
+    Scene scene;
+    Error error;
+    MethodChoice sky;
+    SkyProbe probe;
+    Text said = {0}, csv = {0};
+    float directions[4 * FURTHER_DIRECTIONS], radiances[4 * FURTHER_DIRECTIONS];
+    double truth[3 * FURTHER_DIRECTIONS], seconds[3], rms[3];
+    support_open(&context);
+    assert_true(scene_read(&scene, "scenes/crater.glsl", "glsl", &error));
+    scene.values.atmosphere.orders = INFINITY;
+    SkyState air = {scene.values.atmosphere, scene.values.sun};
+    for (int i = 0; i < FURTHER_DIRECTIONS; i++) {
+        double up = (i + 0.5) / FURTHER_DIRECTIONS, level = sqrt(1 - up * up);
+        directions[4 * i] = (float)(level * sin(i));
+        directions[4 * i + 1] = (float)up;
+        directions[4 * i + 2] = (float)(level * cos(i));
+        directions[4 * i + 3] = 0;
+    }
+    assert_true(method_choose(&sky, METHOD_SKY, REFERENCE_SKY, &error));
+    assert_true(sky_probe_create(&probe, &context, scene.file->sources, &sky, &air.atmosphere, &error));
+    assert_true(method_choose(&probe.further, METHOD_FURTHER, "harmonics:14", &error));
+    assert_true(sky_probe_ask(&probe, &air, directions, FURTHER_DIRECTIONS, radiances, &error));
+    for (int i = 0; i < 3 * FURTHER_DIRECTIONS; i++) truth[i] = (double)radiances[4 * (i / 3) + i % 3];
+    sky_probe_destroy(&probe);
+    ChartParams params = {.context = &context,
+                          .picture = {.scene = &scene},
+                          .folder = support_path("."),
+                          .identity = "# test\n",
+                          .said = &said};
+    if (!chart_further(&params, &air, directions, truth, FURTHER_DIRECTIONS, &error))
+        fail_msg("%s", error.text);
+    assert_non_null(strstr(text_string(&said), "further.csv"));
+    assert_int_equal(access(support_path("further.svg"), F_OK), 0);
+    assert_int_equal(access(support_path("further.png"), F_OK), 0);
+    read_text(support_path("further.csv"), &csv);
+    static const char *const rows[3] = {"harmonics:8,", "harmonics:10,", "harmonics:14,"};
+    for (int i = 0; i < 3; i++) {
+        const char *row = strstr(csv.data, rows[i]);
+        if (!row || sscanf(row + strlen(rows[i]), "%lf,%lf", &seconds[i], &rms[i]) != 2)
+            fail_msg("no %s in %s", rows[i], csv.data);
+    }
+    if (!(rms[0] > rms[1] && rms[1] > rms[2] && rms[0] < 1 && rms[2] < 1e-4))
+        fail_msg("%g %g %g", rms[0], rms[1], rms[2]);
+    assert_true(seconds[0] > 0 && seconds[2] > seconds[0]);
+    text_free(&said);
+    text_free(&csv);
+    scene_destroy(&scene);
+    context_close(&context);
+}
+
 static int count_lines(const char *path) {
     Text text = {0};
     int lines = 0;
@@ -267,9 +336,12 @@ static void test_usage(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_front), cmocka_unit_test(test_slope),  cmocka_unit_test(test_axis),
-        cmocka_unit_test(test_plot),  cmocka_unit_test(test_ledger), cmocka_unit_test(test_reference),
-        cmocka_unit_test(test_usage), cmocka_unit_test(test_charts), cmocka_unit_test(test_interrupted),
+        cmocka_unit_test(test_front),       cmocka_unit_test(test_slope),
+        cmocka_unit_test(test_axis),        cmocka_unit_test(test_plot),
+        cmocka_unit_test(test_ledger),      cmocka_unit_test(test_reference),
+        cmocka_unit_test(test_sky_error),   cmocka_unit_test(test_further),
+        cmocka_unit_test(test_usage),       cmocka_unit_test(test_charts),
+        cmocka_unit_test(test_interrupted),
     };
     return cmocka_run_group_tests_name("chart", tests, support_folder, support_clean);
 }

@@ -1,7 +1,8 @@
 /* The three charts. Each is measured on this machine, written into a CSV, and drawn from the CSV:
  *
  *   chart_paths  seconds against relRMSE of a scene's picture, for sky, light and sequence methods
- *   chart_sky    nanoseconds of a sky's lookup against the error of its radiance
+ *   chart_sky    nanoseconds of a sky's lookup against the error of its radiance; under an air with further
+ *                orders also seconds to fill their tables against that error
  *   chart_scale  seconds against pixels, samples, depth and the number of shapes
  */
 #pragma once

@@ -3,9 +3,11 @@
 
 #include "base/clock.h"
 #include "base/vec3.h"
+#include "chart/chart_further.h"
 #include "chart/identity.h"
 #include "chart/ledger.h"
 #include "chart/plot_write.h"
+#include "chart/sky_error.h"
 #include "sky/sky_probe.h"
 #include "sky/sky_truth.h"
 
@@ -17,9 +19,6 @@
 
 enum { DIRECTIONS = 512, TIMED = 65536 };
 
-/* A millionth of the zenith's radiance with the sun at the zenith. The errors of darker light are taken
- * relative to this. */
-static const double floor_radiance[3] = {1.43e-6, 1.47e-6, 1.54e-6};
 static const double turn_seconds = 0.03;
 
 /* The cost of this method is that of a pass without a sky. */
@@ -95,22 +94,11 @@ static void find_truth(SkyJob *job) {
     sky_truth_destroy(truth);
 }
 
-static int by_size(const void *left, const void *right) {
-    double a = *(const double *)left, b = *(const double *)right;
-    return (a > b) - (a < b);
-}
-
 static void judge(const SkyJob *job, const float *radiances, LedgerRow *row) {
-    double errors[3 * DIRECTIONS], squares = 0;
-    for (int i = 0; i < 3 * DIRECTIONS; i++) {
-        double truth = job->truth[i], got = (double)radiances[4 * (i / 3) + i % 3];
-        errors[i] = 100 * fabs(got - truth) / fmax(truth, floor_radiance[i % 3]);
-        squares += errors[i] * errors[i];
-    }
-    qsort(errors, 3 * DIRECTIONS, sizeof *errors, by_size);
-    row->numbers[RMS] = sqrt(squares / (3 * DIRECTIONS));
-    row->numbers[P99] = errors[3 * DIRECTIONS * 99 / 100];
-    row->numbers[LARGEST] = errors[3 * DIRECTIONS - 1];
+    SkyError errors = sky_error(radiances, job->truth, DIRECTIONS);
+    row->numbers[RMS] = errors.rms;
+    row->numbers[P99] = errors.p99;
+    row->numbers[LARGEST] = errors.largest;
 }
 
 static const LedgerRow *find(const SkyJob *job, const char *method) {
@@ -263,6 +251,8 @@ bool chart_sky(const ChartParams *params, Error *error) {
     if (ok) find_truth(job);
     ok = ok && (monitor_stopped(&params->monitor) || measure(job, error));
     if (ok && !monitor_stopped(&params->monitor)) ok = draw(job, error);
+    if (ok && job->state.atmosphere.orders > 1 && !monitor_stopped(&params->monitor))
+        ok = chart_further(params, &job->state, job->directions, job->truth, DIRECTIONS, error);
     ledger_close(&job->ledger);
     free(job);
     return ok;
