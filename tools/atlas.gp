@@ -1,7 +1,8 @@
-# One method's chart: gnuplot -c atlas.gp METHOD FOLDER FILE, with FOLDER/axes and FOLDER/map{1,10000,100000} by the awk programs.
+# One method's chart: gnuplot -c atlas.gp METHOD FOLDER FILE TRUTH, with FOLDER/axes and FOLDER/map{1,10000,100000} by the awk programs.
 method = ARG1
 folder = ARG2
 file = ARG3
+truth = ARG4
 
 load folder."/axes"
 set logscale cb
@@ -24,7 +25,7 @@ do for [format in "svg png"] {
     }
     set output file.".".format
     set multiplot layout 1,3 margins 0.05,0.925,0.13,0.865 spacing 0.032,0 \
-        title "{/:Bold ".method."}: error against the adaptive quadrature, worst of three channels and five azimuths. Grey: no light." offset 0,0.2
+        title "{/:Bold ".method."}: error against ".truth.", worst of three channels and five azimuths. Grey: no light." offset 0,0.2
     set ylabel "sun elevation, degrees" offset 0.8,0
     unset colorbox
     set title "observer at 1 m (horizon at -0.03°)" offset 0,-0.6
