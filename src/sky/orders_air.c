@@ -108,17 +108,19 @@ void orders_air_sunlight(const OrdersAir *air, double sine, double irradiance[3]
     for (int c = 0; c < 3; c++) irradiance[c] *= up;
 }
 
-/* Where the ray crosses the cylinder whose surface the sun's rays pass at an altitude. Returns the number of
- * places. */
-static int cross_cylinder(const Atmosphere *a, double altitude, double height, double rise, double sun_rise,
-                          double nu, double places[2]) {
+/* Where the ray crosses the edge of the shadow of a planet whose surface is at an altitude: half of a
+ * cylinder, whose other half is on the sun's side of the planet's centre. Returns the number of places. */
+static int cross_shadow(const Atmosphere *a, double altitude, double height, double rise, double sun_rise,
+                        double nu, double places[2]) {
     double square = 1 - nu * nu, half = rise - sun_rise * nu;
     double rest = air_square_above(a, height, altitude) - sun_rise * sun_rise;
     double root = half * half - square * rest;
     if (square < 1e-14 || root <= 0) return 0;
     double sum = -half - copysign(sqrt(root), half);
+    double middle = nu != 0 ? -sun_rise / nu : INFINITY;
     places[0] = sum / square;
     places[1] = sum != 0 ? rest / sum : 0;
+    for (int i = 0; i < 2; i++) places[i] = nu >= 0 ? fmin(places[i], middle) : fmax(places[i], middle);
     return 2;
 }
 
@@ -138,8 +140,8 @@ void orders_air_first(const OrdersAir *air, double height, double mu, double mu_
     double radius = a->planet_radius_m + height, rise = radius * mu, sun_rise = radius * mu_sun, cuts[4];
     double by_air = rayleigh_phase(nu), by_aerosol = mie_phase(a->mie_g, nu);
     OrdersRay ray;
-    int count = cross_cylinder(a, 0, height, rise, sun_rise, nu, cuts);
-    count += cross_cylinder(a, dusk * a->rayleigh_scale_height_m, height, rise, sun_rise, nu, cuts + count);
+    int count = cross_shadow(a, 0, height, rise, sun_rise, nu, cuts);
+    count += cross_shadow(a, dusk * a->rayleigh_scale_height_m, height, rise, sun_rise, nu, cuts + count);
     orders_ray(air, height, mu, gauss, cuts, count, &ray);
     sun_rise += nu * ray.start;
     memset(radiance, 0, 3 * sizeof *radiance);

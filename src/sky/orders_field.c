@@ -11,9 +11,10 @@
  * darkest light for the cubic interpolation between the two. */
 static const double dark = 1e-30;
 
-/* The ratio of successive orders where a series is summed. The true one nears 1 in thick air without
- * absorption. */
-static const double most_ratio = 0.99;
+/* The most that the ratio of successive orders may be where a series is summed. Early orders still spread
+ * into the shadow, so that their ratio there is above that of the late ones. In thick air without absorption
+ * the true one nears 1. */
+static const double most_ratio = 0.9;
 
 static size_t points(const OrdersGrid *grid) {
     return (size_t)grid->rows * (size_t)grid->columns;

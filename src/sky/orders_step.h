@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sky/orders_field.h"
-#include "sky/sky_orders.h"
+#include "sky/sky_orders_plan.h"
 
 typedef struct OrdersStep {
     const OrdersAir *air;
