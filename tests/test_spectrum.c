@@ -266,6 +266,67 @@ static void open_probe(const Context *context, SkyProbe *probe, const char *meth
     }
 }
 
+/* The same with all orders of scattering, over a ground, by the GPU's harmonics: of the many wavelengths and
+ * of the few. */
+static void test_orders_against_many(void **state) {
+    (void)state;
+    enum { VIEWS = 8, SKIES = 15, ROWS = SKIES * VIEWS };
+    static const double suns[] = {70, 15, 3, -0.5, -5.5}, heights[] = {1, 2500, 12000};
+    static const double spectra[] = {3, 6}, most_mean[] = {2, 0.1}, most[] = {12, 0.5},
+                        most_luminance[] = {0.15, 0.01};
+    static float directions[4 * VIEWS], got[4 * VIEWS];
+    static double shares[ROWS][COLORS_SAMPLES];
+    Atmosphere air = air_of("earth", SPECTRUM_RGB), channels = air;
+    Context context;
+    SkyProbe probe;
+    Error error;
+    support_open(&context);
+    assert_true(atmosphere_set(&air, "ground_albedo", "0.5,0.3,0.1", &error));
+    for (int c = 0; c < 3; c++) air.sun_irradiance[c] = 1;
+    for (int i = 0; i < VIEWS; i++) {
+        double view[3];
+        unit_vector(1 + 10.5 * i, 70 * i, view);
+        for (int c = 0; c < 3; c++) directions[4 * i + c] = (float)view[c];
+    }
+    open_probe(&context, &probe, "gauss:12", &channels);
+    for (int first = 0; first < COLORS_SAMPLES; first += 3) {
+        double nm[3];
+        for (int c = 0; c < 3; c++) nm[c] = colors_wavelength_nm(first + c);
+        for (int k = 0; k < SKIES; k++) {
+            SkyState sky = {spectrum_air_at(&air, nm), sun_at(suns[k / 3], 0, 0.2666)};
+            sky.atmosphere.observer_height_m = heights[k % 3];
+            if (!sky_probe_ask(&probe, &sky, directions, VIEWS, got, &error)) fail_msg("%s", error.text);
+            for (int i = 0; i < 3 * VIEWS; i++)
+                shares[k * VIEWS + i / 3][first + i % 3] = (double)got[4 * (i / 3) + i % 3];
+        }
+    }
+    sky_probe_destroy(&probe);
+    for (int s = 0; s < 2; s++) {
+        double mean = 0, largest = 0, luminance = 0;
+        air.spectrum = spectra[s];
+        open_probe(&context, &probe, "gauss:12", &air);
+        for (int k = 0; k < SKIES; k++) {
+            SkyState sky = {air, sun_at(suns[k / 3], 0, 0.2666)};
+            sky.atmosphere.observer_height_m = heights[k % 3];
+            if (!sky_probe_ask(&probe, &sky, directions, VIEWS, got, &error)) fail_msg("%s", error.text);
+            for (int i = 0; i < VIEWS; i++) {
+                double rgb[3], many[3];
+                for (int c = 0; c < 3; c++) rgb[c] = (double)got[4 * i + c];
+                colors_of_shares(shares[k * VIEWS + i], many);
+                double difference = colors_difference_of_hues(rgb, many);
+                mean += difference / ROWS;
+                largest = fmax(largest, difference);
+                luminance = fmax(luminance, fabs(colors_luminance(rgb) / colors_luminance(many) - 1));
+            }
+        }
+        print_message("all orders, spectrum %g: dE mean %.3f, max %.3f; luminance off by %.2f %% at most\n",
+                      spectra[s], mean, largest, 100 * luminance);
+        assert_true(mean < most_mean[s] && largest < most[s] && luminance < most_luminance[s]);
+        sky_probe_destroy(&probe);
+    }
+    context_close(&context);
+}
+
 enum { DIRECTIONS = 150 };
 
 /* RMS of the three channels' errors, percent, each over the luminance of the truth or over a thousandth of
@@ -444,9 +505,16 @@ static void test_command(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_colors),  cmocka_unit_test(test_matrices), cmocka_unit_test(test_laws),
-        cmocka_unit_test(test_refused), cmocka_unit_test(test_disk),     cmocka_unit_test(test_against_many),
-        cmocka_unit_test(test_methods), cmocka_unit_test(test_roots),    cmocka_unit_test(test_negative),
+        cmocka_unit_test(test_colors),
+        cmocka_unit_test(test_matrices),
+        cmocka_unit_test(test_laws),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_disk),
+        cmocka_unit_test(test_against_many),
+        cmocka_unit_test(test_orders_against_many),
+        cmocka_unit_test(test_methods),
+        cmocka_unit_test(test_roots),
+        cmocka_unit_test(test_negative),
         cmocka_unit_test(test_command),
     };
     return cmocka_run_group_tests_name("spectrum", tests, support_folder, support_clean);

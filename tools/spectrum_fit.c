@@ -7,7 +7,8 @@
  * A row's true colour is that of its 48 wavelengths (tests/colors.h). The matrix is a least-squares fit to
  * half of the rows, each divided by its luminance, under the condition that the sun above the air stays
  * white. Errors are reported of the other half. Wavelengths are moved by steps of 10 nm as long as that makes
- * the fit's errors smaller. */
+ * the fit's errors smaller. With KEEP in the environment they stay as they are, and the matrices alone are
+ * found anew. */
 #include "colors.h"
 
 #include "base/vec3.h"
@@ -319,9 +320,12 @@ int main(int argc, char **argv) {
         many = fit_of(SPECTRUM_MANY, spectrum_many_nm);
     for (int c = 0; c < 3; c++) rgb.matrix[c][c] = 1;
     report(&rgb, "rgb");
-    search(&few);
+    bool keep_wavelengths = getenv("KEEP") != NULL;
+    find_matrix(&few);
+    find_matrix(&many);
+    if (!keep_wavelengths) search(&few);
     report(&few, "3 wavelengths");
-    search(&many);
+    if (!keep_wavelengths) search(&many);
     report(&many, "6 wavelengths");
     printf("/* The wavelengths that colours are computed from, and the matrices that bring their radiances "
            "to linear\n"
