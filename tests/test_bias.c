@@ -5,6 +5,7 @@
 #include "choice/bias.h"
 #include "render/renderer.h"
 #include "sky/sky_probe.h"
+#include "sky/sky_truth.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -95,19 +96,22 @@ static void open_probe(SkyProbe *probe, const Context *context, const char *meth
     }
 }
 
-/* The whole sky, as an observer sees it, by relRMSE over directions. */
-static void ask_sky(SkyProbe *probe, const SkyState *state, float *radiances) {
-    static float directions[4 * DIRECTIONS];
+/* Directions over the whole sky, as an observer sees it. */
+static void spread_directions(const SkyState *state, float *directions, int count) {
     double horizon = sky_horizon_sine(&state->atmosphere);
-    Error error;
     bool below = state->atmosphere.observer_height_m > 1000;
-    for (int i = 0; i < DIRECTIONS; i++) {
-        double low = below ? -1 : horizon, y = low + (1 - low) * (i + 0.5) / DIRECTIONS,
-               azimuth = 2.39996323 * i;
+    for (int i = 0; i < count; i++) {
+        double low = below ? -1 : horizon, y = low + (1 - low) * (i + 0.5) / count, azimuth = 2.39996323 * i;
         directions[4 * i] = (float)(sqrt(1 - y * y) * sin(azimuth));
         directions[4 * i + 1] = (float)y;
         directions[4 * i + 2] = (float)(sqrt(1 - y * y) * cos(azimuth));
     }
+}
+
+static void ask_sky(SkyProbe *probe, const SkyState *state, float *radiances) {
+    static float directions[4 * DIRECTIONS];
+    Error error;
+    spread_directions(state, directions, DIRECTIONS);
     if (!sky_probe_ask(probe, state, directions, DIRECTIONS, radiances, &error)) fail_msg("%s", error.text);
 }
 
@@ -145,15 +149,111 @@ static void test_skies(void **state) {
     context_close(&context);
 }
 
+static void set_further(SkyProbe *probe, const char *quality) {
+    Error error;
+    if (!method_choose(&probe->further, METHOD_FURTHER, quality, &error)) fail_msg("%s", error.text);
+}
+
+static double claimed_percent(const SkyProbe *probe, const SkyState *sky) {
+    return bias_sky_percent(&probe->choice, sky->sun.elevation_deg, &sky->atmosphere) +
+           bias_further_percent(&probe->further, sky->sun.elevation_deg, &sky->atmosphere);
+}
+
+/* Further orders against the reference: over a ground, at heights and under suns that were not measured. */
+static void test_further(void **state) {
+    (void)state;
+    enum { QUALITIES = 3, FEW = 200 };
+    static const char *const qualities[QUALITIES] = {"harmonics:8", "harmonics:10", "harmonics:14"};
+    static const double heights[] = {30, 4000, 30000}, places[] = {50, 7, 0.7, -2.5, -9};
+    static float directions[4 * FEW], got[4 * FEW], wanted[4 * FEW];
+    SkyState sky = {.atmosphere = atmosphere_preset(2)->atmosphere};
+    Error error;
+    Context context;
+    SkyProbe probe;
+    support_open(&context);
+    assert_true(atmosphere_set(&sky.atmosphere, "orders", "all", &error));
+    assert_true(atmosphere_set(&sky.atmosphere, "ground_albedo", "0.5,0.3,0.1", &error));
+    open_probe(&probe, &context, "gauss:12", &sky.atmosphere);
+    SkyTruth *truth = sky_truth_create(&sky.atmosphere, NULL);
+    for (int k = 0; k < 3 * QUALITIES * 5; k++) {
+        set_further(&probe, qualities[k / 15]);
+        sky.sun = sun_at(places[k % 5], 30, 0.2666);
+        sky.atmosphere.observer_height_m = heights[k / 5 % 3];
+        spread_directions(&sky, directions, FEW);
+        for (int i = 0; i < FEW; i++) {
+            double view[3], radiance[3];
+            for (int c = 0; c < 3; c++) view[c] = (double)directions[4 * i + c];
+            sky_truth_ask(truth, sky.atmosphere.observer_height_m, view, sky.sun.direction, radiance);
+            for (int c = 0; c < 3; c++) wanted[4 * i + c] = (float)radiance[c];
+        }
+        if (!sky_probe_ask(&probe, &sky, directions, FEW, got, &error)) fail_msg("%s", error.text);
+        double claimed = claimed_percent(&probe, &sky), measured = rel_rmse_percent(got, wanted, FEW);
+        print_message("%-12s sun %4g, %6g m: claimed %.3f %%, over the sky %.3f %%\n", probe.further.text,
+                      sky.sun.elevation_deg, sky.atmosphere.observer_height_m, claimed, measured);
+        assert_true(measured <= claimed);
+    }
+    sky_truth_destroy(truth);
+    sky_probe_destroy(&probe);
+    context_close(&context);
+}
+
+/* In earth, whose colours come from six wavelengths: all light by a few nodes, tables and harmonics against
+ * the best of each. */
+static void test_earth(void **state) {
+    (void)state;
+    enum { METHODS = 4 };
+    static const char *const methods[METHODS] = {"gauss:5", "gauss:7", "table:gauss:10@32x96",
+                                                 "table:gauss:12@64x64"};
+    static const double heights[] = {10, 2000, 40000}, places[] = {60, 10, 1.5, -0.6, -3, -7};
+    static float truth[4 * DIRECTIONS], got[4 * DIRECTIONS];
+    Context context;
+    SkyState sky = {0};
+    SkyProbe best, probes[METHODS];
+    Error error;
+    support_open(&context);
+    assert_true(atmosphere_choose(&sky.atmosphere, "earth", &error));
+    open_probe(&best, &context, "gauss:12", &sky.atmosphere);
+    for (int m = 0; m < METHODS; m++) open_probe(&probes[m], &context, methods[m], &sky.atmosphere);
+    for (int k = 0; k < 3 * 6; k++) {
+        sky.sun = sun_at(places[k % 6], 30, 0.2666);
+        sky.atmosphere.observer_height_m = heights[k / 6];
+        set_further(&best, "harmonics:10");
+        ask_sky(&best, &sky, truth);
+        for (int m = 0; m < METHODS; m++) {
+            ask_sky(&probes[m], &sky, got);
+            double claimed = bias_sky_percent(&probes[m].choice, sky.sun.elevation_deg, &sky.atmosphere),
+                   measured = rel_rmse_percent(got, truth, DIRECTIONS);
+            print_message("%-22s sun %4g, %6g m: claimed %.3f %%, over the sky %.3f %%\n", methods[m],
+                          sky.sun.elevation_deg, sky.atmosphere.observer_height_m, claimed, measured);
+            assert_true(measured <= claimed);
+        }
+    }
+    for (int m = 0; m < METHODS; m++) sky_probe_destroy(&probes[m]);
+    sky_probe_destroy(&best);
+    context_close(&context);
+}
+
+static MethodChoice choose_further(const char *text, const char *sky, double error_percent, double sun,
+                                   const Atmosphere *atmosphere) {
+    AutoWish wish = {.error_percent = error_percent,
+                     .pixels = 512.0 * 512,
+                     .sun_elevation_deg = sun,
+                     .atmosphere = atmosphere};
+    MethodChoice choice;
+    Error error;
+    if (!auto_further(&choice, text, sky, &wish, &error)) fail_msg("%s", error.text);
+    return choice;
+}
+
 static MethodChoice choose(const char *text, double error_percent, double sun, const Atmosphere *atmosphere) {
     AutoWish wish = {.error_percent = error_percent,
                      .pixels = 512.0 * 512,
                      .sun_elevation_deg = sun,
                      .atmosphere = atmosphere,
                      .bounds = true};
-    MethodChoice choice;
+    MethodChoice choice, further = choose_further(NULL, text, error_percent, sun, atmosphere);
     Error error;
-    if (!auto_sky(&choice, text, &wish, &error)) fail_msg("%s", error.text);
+    if (!auto_sky(&choice, text, &further, &wish, &error)) fail_msg("%s", error.text);
     return choice;
 }
 
@@ -192,7 +292,9 @@ static void test_auto(void **state) {
     assert_true(auto_light(&light, "mis", &sky, &wish, &error));
     assert_string_equal(light.text, "mis");
     wish.samples = 16;
-    assert_true(auto_sky(&sky, NULL, &wish, &error) && !sky.table); /* too few paths to repay a table */
+    MethodChoice further = choose_further(NULL, NULL, 1, 30, &atmosphere);
+    assert_true(auto_sky(&sky, NULL, &further, &wish, &error) &&
+                !sky.table); /* too few paths to repay a table */
     assert_true(auto_light(&light, "auto", &sky, &wish, &error));
     assert_string_equal(light.text, "cosine");
 
@@ -217,6 +319,58 @@ static void test_auto(void **state) {
     assert_true(method_choose(&choice, METHOD_SKY, "gauss:4", &error));
     assert_true(!isnan(bias_sky_percent(&choice, 0, &atmosphere_preset(0)->atmosphere)));
     assert_true(isnan(bias_sky_percent(&choice, 0, &atmosphere_preset(1)->atmosphere)));
+}
+
+/* Further orders: the cheapest quality that leaves room for the sky, and a sky within what it leaves. */
+static void test_auto_further(void **state) {
+    (void)state;
+    static const double errors[] = {30, 10, 3, 1, 0.3};
+    Atmosphere earth, odd;
+    Error error;
+    assert_true(atmosphere_choose(&earth, "earth", &error));
+    for (double sun = 90; sun >= -12; sun -= 0.5) {
+        int before = 0;
+        for (int i = 0; i < 5; i++) {
+            MethodChoice further = choose_further(NULL, NULL, errors[i], sun, &earth),
+                         sky = choose(NULL, errors[i], sun, &earth);
+            double of_sky = bias_sky_percent(&sky, sun, &earth),
+                   of_further = bias_further_percent(&further, sun, &earth);
+            bool within = strstr(further.why, "not within") == NULL;
+            assert_true(further.degree >= before || !within);
+            before = further.degree;
+            if (within) assert_true(of_sky + of_further <= errors[i] / 3);
+            for (int k = 0; k < 3 && !within; k++) {
+                static const char *const qualities[] = {"harmonics:8", "harmonics:10", "harmonics:14"};
+                MethodChoice other = choose_further(qualities[k], NULL, errors[i], sun, &earth);
+                assert_true(of_further <= bias_further_percent(&other, sun, &earth));
+            }
+            assert_true(strstr(sky.why, "a third of the error asked for") != NULL);
+            assert_true((strstr(sky.why, " leaves of ") != NULL) == within);
+        }
+    }
+    assert_string_equal(choose_further("harmonics:8", NULL, 0.1, 30, &earth).text, "harmonics:8");
+    assert_string_equal(choose_further("harmonics:8", NULL, 0.1, 30, &earth).why, "");
+    /* A poor sky leaves no room. */
+    assert_string_equal(choose_further(NULL, "paper:16x4", 10, 5, &earth).text, "harmonics:14");
+    /* An air without further orders needs none. */
+    const Atmosphere *one = &atmosphere_preset(0)->atmosphere;
+    assert_string_equal(choose_further(NULL, NULL, 0.1, 30, one).why, "");
+    assert_true(bias_further_percent(&(MethodChoice){.degree = 8}, 30, one) == 0);
+    /* What was not measured is chosen by what was, and not claimed. */
+    odd = earth;
+    odd.mie = 3;
+    MethodChoice choice = choose_further(NULL, NULL, 10, 30, &odd);
+    assert_string_equal(choice.text, choose_further(NULL, NULL, 10, 30, &earth).text);
+    assert_non_null(strstr(choice.why, "no bias was measured"));
+    assert_true(isnan(bias_further_percent(&choice, 30, &odd)));
+    assert_true(isnan(bias_further_percent(&choice, -13, &earth)));
+    odd = earth;
+    odd.ground_albedo[1] = 0.95;
+    assert_true(isnan(bias_further_percent(&choice, 30, &odd)));
+    odd.orders = 1;
+    odd.ground_albedo[1] = 0.1;
+    assert_true(isnan(bias_sky_percent(
+        &(MethodChoice){.method = choose("gauss:8", 1, 30, one).method, .nodes = 8}, 30, &odd)));
 }
 
 /* A table without a size takes the one that its sun needs; one with a size keeps it. */
@@ -273,8 +427,9 @@ static void test_names(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pictures), cmocka_unit_test(test_skies), cmocka_unit_test(test_auto),
-        cmocka_unit_test(test_sizes),    cmocka_unit_test(test_names),
+        cmocka_unit_test(test_pictures), cmocka_unit_test(test_skies),        cmocka_unit_test(test_auto),
+        cmocka_unit_test(test_sizes),    cmocka_unit_test(test_names),        cmocka_unit_test(test_further),
+        cmocka_unit_test(test_earth),    cmocka_unit_test(test_auto_further),
     };
     return cmocka_run_group_tests_name("bias", tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 #include "choice/auto.h"
 
 #include "choice/bias.h"
+#include "scene/spectrum.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -38,12 +39,12 @@ static const double node_time = 9e-9;
 static const double lookup_time = 7e-9, lookup_by_root = 3e-11;
 
 /* What a sky adds to the time of a picture. */
-static double seconds_of(const MethodChoice *choice, int columns, int rows, double paths) {
-    double nodes = choice->nodes, compile = first_compile + compile_by_nodes * nodes * nodes;
-    if (!choice->table) return compile + node_time * nodes * paths;
+static double seconds_of(const MethodChoice *choice, int columns, int rows, const AutoWish *wish) {
+    double nodes = choice->nodes, compile = first_compile + compile_by_nodes * nodes * nodes,
+           paths = paths_of(wish), sums = node_time * nodes * spectrum_bands(wish->atmosphere);
+    if (!choice->table) return compile + sums * paths;
     double texels = 2.0 * columns * rows;
-    return compile + table_compile + node_time * nodes * texels +
-           (lookup_time + lookup_by_root * sqrt(texels)) * paths;
+    return compile + table_compile + sums * texels + (lookup_time + lookup_by_root * sqrt(texels)) * paths;
 }
 
 /* A sky that auto may take: gauss:n for each path, or a table that gauss:n fills. */
@@ -62,7 +63,7 @@ static bool describe(Candidate *candidate, int nodes, int columns, const AutoWis
     snprintf(text, sizeof text, columns ? "table:gauss:%d@%dx%d" : "gauss:%d", nodes, columns, 3 * columns);
     if (!method_choose(&candidate->choice, METHOD_SKY, text, error)) return false;
     candidate->bias_percent = bias_sky_percent(&candidate->choice, wish->sun_elevation_deg, wish->atmosphere);
-    candidate->seconds = seconds_of(&candidate->choice, columns, 3 * columns, paths_of(wish));
+    candidate->seconds = seconds_of(&candidate->choice, columns, 3 * columns, wish);
     return true;
 }
 
@@ -72,60 +73,127 @@ static bool is_better(const Candidate *a, const Candidate *b, double limit) {
     return a->bias_percent <= limit ? a->seconds < b->seconds : a->bias_percent < b->bias_percent;
 }
 
+/* Of a third of the error asked for, what the further orders leave for the sky. */
+typedef struct Limit {
+    double percent;
+    char words[80];
+} Limit;
+
+/* The least bias that any table has. */
+static bool least_sky(double *percent, const AutoWish *wish, Error *error) {
+    MethodChoice best;
+    if (!method_choose(&best, METHOD_SKY, "table:gauss:12@256x768", error)) return false;
+    *percent = bias_sky_percent(&best, wish->sun_elevation_deg, wish->atmosphere);
+    return true;
+}
+
+static bool find_limit(Limit *limit, const MethodChoice *further, const AutoWish *wish, Error *error) {
+    double third = auto_error_percent(wish) / 3, least,
+           taken = bias_further_percent(further, wish->sun_elevation_deg, wish->atmosphere);
+    if (!least_sky(&least, wish, error)) return false;
+    bool leaves = taken > 0 && taken + least <= third;
+    limit->percent = leaves ? third - taken : third;
+    snprintf(limit->words, sizeof limit->words, "%s%.20s%sa third of the error asked for",
+             leaves ? "what " : "", leaves ? further->text : "", leaves ? " leaves of " : "");
+    return true;
+}
+
 /* Writes choice->why: the bias of what was taken, and that of the most accurate sky that would cost less. */
-static void say_why(MethodChoice *choice, const Candidate *best, const Candidate *all, double limit) {
+static void say_why(MethodChoice *choice, const Candidate *best, const Candidate *all, const Limit *limit) {
     const Candidate *cheaper = NULL;
     char rest[100] = "nothing is cheaper";
     for (int i = 0; i < CANDIDATES; i++) {
-        if (all[i].seconds < best->seconds && (!cheaper || all[i].bias_percent < cheaper->bias_percent))
+        if (all[i].seconds < best->seconds && !isnan(all[i].bias_percent) &&
+            (!cheaper || all[i].bias_percent < cheaper->bias_percent))
             cheaper = &all[i];
     }
     if (cheaper)
         snprintf(rest, sizeof rest, "%s is cheaper and errs by %.2g %%", cheaper->choice.text,
                  cheaper->bias_percent);
-    snprintf(choice->why, sizeof choice->why, "bias %.2g %%, %s %.2g %%, a third of the error asked for; %s",
-             best->bias_percent,
-             best->bias_percent <= limit ? "within" : "the least that there is, not within", limit,
-             best->bias_percent <= limit ? rest : "ask for more");
+    bool within = best->bias_percent <= limit->percent;
+    snprintf(choice->why, sizeof choice->why, "bias %.2g %%, %s %.2g %%, %s; %s", best->bias_percent,
+             within ? "within" : "the least that there is, not within", limit->percent, limit->words,
+             within ? rest : "ask for more");
 }
 
-static bool take_cheapest(MethodChoice *choice, const AutoWish *wish, Error *error) {
+static bool take_cheapest(MethodChoice *choice, const MethodChoice *further, const AutoWish *wish,
+                          Error *error) {
     Candidate all[CANDIDATES];
-    double limit = auto_error_percent(wish) / 3;
+    Limit limit;
     const Candidate *best = all;
+    if (!find_limit(&limit, further, wish, error)) return false;
     for (int i = 0; i < CANDIDATES; i++) {
         int size = i % (1 + SIZES), columns = size ? 8 << size : 0;
         if (!describe(&all[i], nodes_tried[i / (1 + SIZES)], columns, wish, error)) return false;
-        if (is_better(&all[i], best, limit)) best = &all[i];
+        if (is_better(&all[i], best, limit.percent)) best = &all[i];
     }
     *choice = best->choice;
-    say_why(choice, best, all, limit);
+    say_why(choice, best, all, &limit);
     /* The size is found by the sun, as it is for a table that the user names without a size: if the sun
      * moves, the table may add as much error as the nodes leave of the limit. */
     int of_nodes = (int)(best - all) / (1 + SIZES) * (1 + SIZES);
-    if (choice->table && best->bias_percent <= limit)
-        choice->table_size.percent = limit - all[of_nodes].bias_percent;
+    if (choice->table && best->bias_percent <= limit.percent)
+        choice->table_size.percent = limit.percent - all[of_nodes].bias_percent;
     return true;
 }
 
-bool auto_sky(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error) {
+bool auto_sky(MethodChoice *choice, const char *text, const MethodChoice *further, const AutoWish *wish,
+              Error *error) {
     if (!method_is_auto(text)) return method_choose(choice, METHOD_SKY, text, error);
     if (!method_choose(choice, METHOD_SKY, "table:gauss:12", error)) return false;
     if (!isnan(bias_sky_percent(choice, wish->sun_elevation_deg, wish->atmosphere)))
-        return take_cheapest(choice, wish, error);
+        return take_cheapest(choice, further, wish, error);
     snprintf(choice->why, sizeof choice->why,
              "no bias was measured for such an air or such a sun: the most accurate is taken");
     return true;
 }
 
-bool auto_further(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error) {
-    double percent = auto_error_percent(wish);
-    if (!method_is_auto(text)) return method_choose(choice, METHOD_FURTHER, text, error);
-    return method_choose(choice, METHOD_FURTHER,
-                         percent >= 5   ? "harmonics:8"
-                         : percent >= 1 ? "harmonics:10"
-                                        : "harmonics:14",
-                         error);
+/* From the cheapest to the most accurate: each takes about twice the time of the one before
+ * (glsl/sky/README.md). */
+static const char *const qualities[] = {"harmonics:8", "harmonics:10", "harmonics:14"};
+enum { QUALITIES = sizeof qualities / sizeof *qualities };
+
+/* The bias of the sky that goes with the further orders, if it is known. A text that names no sky is left to
+ * auto_sky(). */
+static bool sky_beside(double *percent, const char *text, const AutoWish *wish, Error *error) {
+    MethodChoice sky;
+    Error unused;
+    if (!least_sky(percent, wish, error)) return false;
+    if (!method_is_auto(text) && method_choose(&sky, METHOD_SKY, text, &unused))
+        *percent = bias_sky_percent(&sky, wish->sun_elevation_deg, wish->atmosphere);
+    if (isnan(*percent)) *percent = 0;
+    return true;
+}
+
+bool auto_further(MethodChoice *choice, const char *text, const char *sky_text, const AutoWish *wish,
+                  Error *error) {
+    double limit = auto_error_percent(wish) / 3, sun = wish->sun_elevation_deg, sky, bias[QUALITIES];
+    MethodChoice all[QUALITIES];
+    int taken = 0;
+    if (!method_is_auto(text) || wish->atmosphere->orders <= 1)
+        return method_choose(choice, METHOD_FURTHER, text, error);
+    if (!sky_beside(&sky, sky_text, wish, error)) return false;
+    for (int i = 0; i < QUALITIES; i++) {
+        if (!method_choose(&all[i], METHOD_FURTHER, qualities[i], error)) return false;
+        bias[i] = bias_further_guess_percent(&all[i], sun, wish->atmosphere);
+        /* Of those that are not good enough the best. */
+        if (bias[taken] + sky > limit && bias[i] < bias[taken]) taken = i;
+    }
+    *choice = all[taken];
+    if (isnan(bias_further_percent(choice, sun, wish->atmosphere))) {
+        snprintf(choice->why, sizeof choice->why,
+                 "no bias was measured for such an air or such a sun: chosen by what is known of earth");
+        return true;
+    }
+    char rest[60] = "nothing is cheaper";
+    if (taken)
+        snprintf(rest, sizeof rest, "%s is cheaper and errs by %.2g %%", qualities[taken - 1],
+                 bias[taken - 1]);
+    bool within = bias[taken] + sky <= limit;
+    snprintf(choice->why, sizeof choice->why,
+             "bias %.2g %%, with the sky's %s %.2g %%, a third of the error asked for; %s", bias[taken],
+             within ? "within" : "not within", limit, within ? rest : "there is none better");
+    return true;
 }
 
 /* Whether mis is likely to reach an error in the least time. Measured over the scenes, with the sun from 60

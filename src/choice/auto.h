@@ -28,14 +28,19 @@ typedef struct AutoWish {
 /* The target relRMSE, percent, that follows from the wish. */
 double auto_error_percent(const AutoWish *wish);
 
-/* Chooses a sky. `text` is as for method_choose(). NULL or "auto" stands for the cheapest of gauss:n and of
- * the tables of gauss:n, among those whose bias is a third of the target error at most. Where no bias is so
- * small, or where none is known, the most accurate is taken. choice->why tells the user which case it was. */
-MUST_CHECK bool auto_sky(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error);
-
 /* Chooses how the further orders of scattering are computed. NULL or "auto" stands for the cheapest quality
- * that is accurate enough. */
-MUST_CHECK bool auto_further(MethodChoice *choice, const char *text, const AutoWish *wish, Error *error);
+ * whose bias, together with that of the sky, is a third of the target error at most. The sky is `sky_text`,
+ * or one that auto_sky() may take. Where no quality is so good, the best is taken. choice->why tells the user
+ * which case it was, if the air has further orders. */
+MUST_CHECK bool auto_further(MethodChoice *choice, const char *text, const char *sky_text,
+                             const AutoWish *wish, Error *error);
+
+/* Chooses a sky. `text` is as for method_choose(). NULL or "auto" stands for the cheapest of gauss:n and of
+ * the tables of gauss:n, among those whose bias is within what `further` leaves of a third of the target
+ * error; within all of that third if it leaves too little. Where no bias is so small, or where none is known,
+ * the most accurate is taken. choice->why tells the user which case it was. */
+MUST_CHECK bool auto_sky(MethodChoice *choice, const char *text, const MethodChoice *further,
+                         const AutoWish *wish, Error *error);
 
 /* Chooses a light method. NULL or "auto" stands for mis where a low sun shines on what stands upright, else
  * for control where the sky is a table and the scene has bounds, else for cosine. */

@@ -20,6 +20,7 @@ void render_say_choices(const RenderJob *job) {
     say_why("sky", &renderer->plan.sky);
     if (job->scene.values.atmosphere.orders > 1)
         fprintf(stderr, "further orders of scattering by %s\n", renderer->plan.further.text);
+    if (renderer->plan.sky.method->integrates) say_why("further orders", &renderer->plan.further);
     say_why("light", &renderer->plan.light);
     const Resource *table = resources_find(&renderer->tables, &sky_table);
     if (table) {

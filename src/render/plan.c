@@ -117,13 +117,13 @@ static bool choose_methods(Plan *plan, const RenderParams *params, Error *error)
                      .bounds = scene_hint_count(scene, HINT_BOUND) > 0,
                      .mirrors = mirrors_alone_block(scene),
                      .shiny = plan->needs.shiny};
-    if (!auto_sky(&plan->sky, sky, &wish, error)) {
+    if (!auto_further(&plan->further, params->further, sky, &wish, error)) return false;
+    if (!auto_sky(&plan->sky, sky, &plan->further, &wish, error)) {
         if (params->sky) return false;
         error->status = STATUS_SCENE;
         return error_prefix(error, "%s:%d: ", scene->file->path, scene->file->sky_line);
     }
-    return auto_further(&plan->further, params->further, &wish, error) &&
-           auto_light(&plan->light, params->light, &plan->sky, &wish, error) &&
+    return auto_light(&plan->light, params->light, &plan->sky, &wish, error) &&
            method_choose(&plan->sequence, METHOD_SEQUENCE, params->sequence, error) &&
            sun_choose(&plan->sun, params->sun_disk, scene, error);
 }

@@ -103,9 +103,12 @@ static unsigned film_parts(const Plan *plan, bool variance) {
 /* Sets what follows from the plan and the scene's current values. */
 static void follow(Renderer *renderer, const Frame *frame) {
     const Method *sun = renderer->plan.sun.method;
-    const Scene *scene = frame->scene;
-    renderer->sky_bias_percent =
-        bias_sky_percent(&renderer->plan.sky, scene->values.sun.elevation_deg, &scene->values.atmosphere);
+    const SceneValues *values = &frame->scene->values;
+    double sun_deg = values->sun.elevation_deg;
+    renderer->sky_bias_percent = bias_sky_percent(&renderer->plan.sky, sun_deg, &values->atmosphere);
+    if (renderer->plan.sky.method->integrates)
+        renderer->sky_bias_percent +=
+            bias_further_percent(&renderer->plan.further, sun_deg, &values->atmosphere);
     renderer->sun_by_chance = sun->has_disk && !sun->samples_disk;
     renderer->camera = frame->camera;
 }
