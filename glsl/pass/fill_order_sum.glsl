@@ -1,20 +1,23 @@
 #version 330 core
-// The moments of all fields together. Each field beyond the fourth is taken to be the one before it times the same factor, which is the fourth
-// field's moment 0 over the third's at each point. So the rest is a geometric series. The factor is 0.9 at most, because the ratio of two fields says
+// The moments of all fields together. Each field beyond the fifth is taken to be the one before it times the same factor, which is the fifth
+// field's moment 0 over the fourth's at each point. So the rest is a geometric series. The factor is 0.99 at most, because the ratio of two fields says
 // little in air that is as good as opaque.
 #include "pass/atmosphere.glsl"
 #include <spectrum>
 #include "sky/orders.glsl"
 
 uniform OrderGrid sum_grid;
-// The degrees of the four orders.
-uniform vec4 sum_degrees;
-// 1 for each of the fields 2 to 4 that counts and 0 for others, and how many fields follow the fourth (-1 for all).
-uniform vec4 sum_orders;
+// The degrees of the five fields.
+uniform float sum_degrees[5];
+// 1 for each field that counts, and 0 for others.
+uniform float sum_counts[5];
+// How many fields follow the fifth; -1 for all.
+uniform float sum_following;
 uniform sampler2D order_1_moments;
 uniform sampler2D order_2_moments;
 uniform sampler2D order_3_moments;
 uniform sampler2D order_4_moments;
+uniform sampler2D order_5_moments;
 
 out vec4 moment;
 
@@ -49,15 +52,15 @@ vec3 sum_share(sampler2D moments, SumTexel texel, float degree) {
 }
 
 // Returns by how much the fourth field is to be multiplied, to stand for those that follow it too. The arguments are logarithms.
-vec3 sum_tail(vec3 fourth, vec3 third) {
-    vec3 ratio = min(exp(fourth - third), vec3(0.9));
-    vec3 left = sum_orders.w < 0.0 ? vec3(0.0) : pow(ratio, vec3(sum_orders.w + 1.0));
+vec3 sum_tail(vec3 fifth, vec3 fourth) {
+    vec3 ratio = min(exp(fifth - fourth), vec3(0.99));
+    vec3 left = sum_following < 0.0 ? vec3(0.0) : pow(ratio, vec3(sum_following + 1.0));
     return (1.0 - left) / (1.0 - ratio);
 }
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    int most = int(sum_degrees.x + 0.5);
+    int most = int(sum_degrees[0] + 0.5);
     int rows = int(sum_grid.rows + 0.5);
     int tiles = order_harmonics(most) + 1;
     int tile = (at.y / rows) % tiles;
@@ -68,14 +71,16 @@ void main() {
         texel.m += 1;
     }
     texel.l = texel.ground ? 0 : texel.m + tile - first;
-    vec3 third = sum_whole(order_3_moments, texel, sum_degrees.z);
-    vec3 fourth = sum_whole(order_4_moments, texel, sum_degrees.w);
-    vec3 whole_1 = exp(sum_whole(order_1_moments, texel, sum_degrees.x));
-    vec3 whole_2 = exp(sum_whole(order_2_moments, texel, sum_degrees.y)) * sum_orders.x;
-    vec3 whole_3 = exp(third) * sum_orders.y;
-    vec3 whole_4 = exp(fourth) * sum_orders.z * sum_tail(fourth, third);
-    vec3 whole = max(whole_1 + whole_2 + whole_3 + whole_4, vec3(ORDER_DARK));
-    vec3 sum = whole_1 * sum_share(order_1_moments, texel, sum_degrees.x) + whole_2 * sum_share(order_2_moments, texel, sum_degrees.y) +
-               whole_3 * sum_share(order_3_moments, texel, sum_degrees.z) + whole_4 * sum_share(order_4_moments, texel, sum_degrees.w);
+    vec3 fourth = sum_whole(order_4_moments, texel, sum_degrees[3]);
+    vec3 fifth = sum_whole(order_5_moments, texel, sum_degrees[4]);
+    vec3 whole_1 = sum_counts[0] * exp(sum_whole(order_1_moments, texel, sum_degrees[0]));
+    vec3 whole_2 = sum_counts[1] * exp(sum_whole(order_2_moments, texel, sum_degrees[1]));
+    vec3 whole_3 = sum_counts[2] * exp(sum_whole(order_3_moments, texel, sum_degrees[2]));
+    vec3 whole_4 = sum_counts[3] * exp(fourth);
+    vec3 whole_5 = sum_counts[4] * exp(fifth) * sum_tail(fifth, fourth);
+    vec3 whole = max(whole_1 + whole_2 + whole_3 + whole_4 + whole_5, vec3(ORDER_DARK));
+    vec3 sum = whole_1 * sum_share(order_1_moments, texel, sum_degrees[0]) + whole_2 * sum_share(order_2_moments, texel, sum_degrees[1]) +
+               whole_3 * sum_share(order_3_moments, texel, sum_degrees[2]) + whole_4 * sum_share(order_4_moments, texel, sum_degrees[3]) +
+               whole_5 * sum_share(order_5_moments, texel, sum_degrees[4]);
     moment = vec4(tile == 0 || texel.ground ? log(whole) : sum / whole, 0.0);
 }

@@ -29,16 +29,16 @@ typedef struct AutoWish {
 double auto_error_percent(const AutoWish *wish);
 
 /* Chooses how the further orders of scattering are computed. NULL or "auto" stands for the cheapest quality
- * whose bias, together with that of the sky, is a third of the target error at most. The sky is `sky_text`,
+ * whose bias, together with that of the sky, is half of the target error at most. The sky is `sky_text`,
  * or one that auto_sky() may take. Where no quality is so good, the best is taken. choice->why tells the user
  * which case it was, if the air has further orders. */
 MUST_CHECK bool auto_further(MethodChoice *choice, const char *text, const char *sky_text,
                              const AutoWish *wish, Error *error);
 
 /* Chooses a sky. `text` is as for method_choose(). NULL or "auto" stands for the cheapest of gauss:n and of
- * the tables of gauss:n, among those whose bias is within what `further` leaves of a third of the target
- * error; within all of that third if it leaves too little. Where no bias is so small, or where none is known,
- * the most accurate is taken. choice->why tells the user which case it was. */
+ * the tables of gauss:n, among those whose bias is within what `further` leaves of half of the target
+ * error; within all of that if it leaves too little, or if there are none within a third. Where no bias is so
+ * small, or where none is known, the most accurate is taken. choice->why tells the user which case it was. */
 MUST_CHECK bool auto_sky(MethodChoice *choice, const char *text, const MethodChoice *further,
                          const AutoWish *wish, Error *error);
 

@@ -7,7 +7,7 @@
 
 #include "gl/program.h"
 
-enum { RESOURCE_TEXTURES = 2, RESOURCE_INPUTS = 4, MOST_RESOURCES = 32 };
+enum { RESOURCE_TEXTURES = 2, RESOURCE_INPUTS = 5, MOST_RESOURCES = 32 };
 
 typedef struct Resource Resource;
 typedef struct ResourceKind ResourceKind;

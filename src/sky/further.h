@@ -14,7 +14,8 @@ extern const ResourceKind further_rays, sky_further, sky_ground;
 #define FURTHER_TABLES                                                                                       \
     &order_rays[0], &order_light[0], &order_moments[0], &order_rays[1], &order_light[1], &order_moments[1],  \
         &order_rays[2], &order_light[2], &order_moments[2], &order_rays[3], &order_light[3],                 \
-        &order_moments[3], &sky_moments, &further_rays, &sky_further, &sky_ground
+        &order_moments[3], &order_rays[4], &order_light[4], &order_moments[4], &sky_moments, &further_rays,  \
+        &sky_further, &sky_ground
 
 /* Whether there is further light: the air has more than one order, or the ground is not black. */
 bool further_is_there(const Atmosphere *atmosphere);

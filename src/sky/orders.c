@@ -147,14 +147,17 @@ FUNCTIONS(rays, 0)
 FUNCTIONS(rays, 1)
 FUNCTIONS(rays, 2)
 FUNCTIONS(rays, 3)
+FUNCTIONS(rays, 4)
 FUNCTIONS(light, 0)
 FUNCTIONS(light, 1)
 FUNCTIONS(light, 2)
 FUNCTIONS(light, 3)
+FUNCTIONS(light, 4)
 FUNCTIONS(moments, 0)
 FUNCTIONS(moments, 1)
 FUNCTIONS(moments, 2)
 FUNCTIONS(moments, 3)
+FUNCTIONS(moments, 4)
 
 #define COMMON(what, k)                                                                                      \
     .filter = GL_NEAREST, .wanted = wants_none, .in_steps = true, .size = what##_size_##k,                   \
@@ -185,15 +188,16 @@ FUNCTIONS(moments, 3)
         }                                                                                                    \
     }
 
-const ResourceKind order_rays[ORDER_FIELDS] = {RAYS(0, "1"), RAYS(1, "2"), RAYS(2, "3"), RAYS(3, "4")};
+const ResourceKind order_rays[ORDER_FIELDS] = {RAYS(0, "1"), RAYS(1, "2"), RAYS(2, "3"), RAYS(3, "4"),
+                                               RAYS(4, "5")};
 
 const ResourceKind order_light[ORDER_FIELDS] = {LIGHT(0, "1", .entry = "pass/fill_order_first.glsl",
                                                       .inputs = {&order_rays[0]},
                                                       .input_samplers = {{"rays_air", "rays_aerosols"}}),
-                                                NEXT(1, "2"), NEXT(2, "3"), NEXT(3, "4")};
+                                                NEXT(1, "2"), NEXT(2, "3"), NEXT(3, "4"), NEXT(4, "5")};
 
 const ResourceKind order_moments[ORDER_FIELDS] = {MOMENTS(0, "1"), MOMENTS(1, "2"), MOMENTS(2, "3"),
-                                                  MOMENTS(3, "4")};
+                                                  MOMENTS(3, "4"), MOMENTS(4, "5")};
 
 static void sum_size(const void *frame, int *width, int *height) {
     moments_size(frame, 0, width, height);
@@ -204,14 +208,17 @@ static void sum_size(const void *frame, int *width, int *height) {
 static void sum_uniforms(const Resource *sum, const void *data, Uniforms *uniforms) {
     const Frame *frame = data;
     const OrdersPlan *plan = orders_plan_of(frame);
-    double orders = frame->state.atmosphere.orders, degrees[ORDER_FIELDS];
-    double counts[4] = {orders > 2, orders > 3, orders > 4, isinf(orders) ? -1 : fmax(orders - 5, 0)};
+    double orders = frame->state.atmosphere.orders, degrees[ORDER_FIELDS], counts[ORDER_FIELDS];
     (void)sum;
-    for (int k = 0; k < ORDER_FIELDS; k++) degrees[k] = plan->orders[k].degree;
+    for (int k = 0; k < ORDER_FIELDS; k++) {
+        degrees[k] = plan->orders[k].degree;
+        counts[k] = orders > k + 1;
+    }
     uniforms_declared_in(uniforms, "pass/fill_order_sum.glsl");
     grid_uniforms(plan, "sum_grid", uniforms);
-    uniforms_vec4(uniforms, "sum_degrees", degrees);
-    uniforms_vec4(uniforms, "sum_orders", counts);
+    uniforms_floats(uniforms, "sum_degrees", degrees, ORDER_FIELDS);
+    uniforms_floats(uniforms, "sum_counts", counts, ORDER_FIELDS);
+    uniforms_float(uniforms, "sum_following", isinf(orders) ? -1 : fmax(orders - ORDER_FIELDS - 1, 0));
 }
 
 const ResourceKind sky_moments = {
@@ -219,7 +226,7 @@ const ResourceKind sky_moments = {
     .entry = "pass/fill_order_sum.glsl",
     .samplers = {"sky_moments"},
     .filter = GL_NEAREST,
-    .inputs = {&order_moments[0], &order_moments[1], &order_moments[2], &order_moments[3]},
+    .inputs = {&order_moments[0], &order_moments[1], &order_moments[2], &order_moments[3], &order_moments[4]},
     .wanted = wants_none,
     .in_steps = true,
     .size = sum_size,

@@ -8,7 +8,7 @@
 #include "sky/frame.h"
 #include "sky/orders_plan.h"
 
-/* For each order up to the fourth:
+/* For each order up to the fifth:
  *
  *   order_rays     the nodes of the rays along which its field is gathered (glsl/pass/rays.glsl)
  *   order_light    its radiance: a row for each point of the grid, a column for each direction

@@ -4,7 +4,7 @@
 
 #include "scene/atmosphere.h"
 
-enum { ORDER_FIELDS = 4, ORDERS_MOST_ELEVATIONS = 32, ORDERS_MOST_DEGREE = 24 };
+enum { ORDER_FIELDS = 5, ORDERS_MOST_ELEVATIONS = 32, ORDERS_MOST_DEGREE = 24 };
 
 /* The field of light of one order. */
 typedef struct OrderPlan {
