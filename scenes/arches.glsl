@@ -2,6 +2,7 @@
 //@ look    "an arcade with its vault: shade that deepens softly from the open side to the wall, without lines at the arches' rims"
 //@ camera  eye 0.9 1.6 -9  target -0.35 1.75 0  fov 58
 //@ sun     elevation 25  azimuth 70
+//@ atmosphere earth
 //@ size    640 480
 //@ exposure 0.5
 //@ preset  noon      sun.elevation 60  exposure 0.5

@@ -2,6 +2,7 @@
 //@ look    "nine operators on a ball and a box: sharp edges where they should be sharp, round where they flow into each other"
 //@ camera  eye 0 5 -6  target 0 0.25 -0.25  fov 34
 //@ sun     elevation 35  azimuth 140
+//@ atmosphere earth
 //@ size    512 512
 //@ bound   0 0.5 0  3
 //@ preset  noon      sun.elevation 60

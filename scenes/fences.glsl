@@ -2,6 +2,7 @@
 //@ look    "wires thinner than a pixel and rails seen along: fine lines without gaps or stairs, to where all run together"
 //@ camera  eye 0.5 0.85 -2.6  target 0.1 0.72 1  fov 50
 //@ sun     elevation 20  azimuth 80
+//@ atmosphere earth
 //@ size    640 480
 //@ bound   1.5 0.6 1.5  0.7
 //@ bound   -1 0.6 1.5  0.7

@@ -2,6 +2,7 @@
 //@ look    "a distance field: a gyroid cut by a ball; its channels' shade, and no holes where the field is steep"
 //@ camera  eye 0 1.6 -4  target 0 1.1 0  fov 50
 //@ sun     elevation 30  azimuth 140
+//@ atmosphere earth
 //@ size    512 512
 //@ bound   0 1.2 0 1.2
 //@ preset  noon      sun.elevation 60

@@ -2,6 +2,7 @@
 //@ look    "all light comes by one window: bright on the floor and far wall, the red and green walls' colours in the corners"
 //@ camera  eye 1.7 1.5 -2.4  target -0.9 1.1 1.4  fov 70
 //@ sun     elevation 40  azimuth 250
+//@ atmosphere earth
 //@ size    512 512
 //@ exposure 3.5
 //@ preset  noon      sun.elevation 60  exposure 3.5

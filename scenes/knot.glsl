@@ -2,6 +2,7 @@
 //@ look    "a golden trefoil: it mirrors itself and the sky; even highlights along the tube show that no step was too long"
 //@ camera  eye 0 2.6 -4.2  target 0 0.95 0  fov 42
 //@ sun     elevation 30  azimuth 130
+//@ atmosphere earth
 //@ size    512 512
 //@ bound   0 1 0 1.7
 //@ preset  noon      sun.elevation 60

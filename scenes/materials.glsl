@@ -2,6 +2,7 @@
 //@ look    "the sky upside down in the glass, gold and copper at different finish, and the sun's bright patch behind the glass ball"
 //@ camera  eye 0 2.2 -6.5  target 0 0.6 0  fov 38
 //@ sun     elevation 40  azimuth 120
+//@ atmosphere earth
 //@ size    640 480
 //@ bound   -2.4 0.7 0.9  0.7
 //@ bound   -0.9 0.7 1.5  0.7

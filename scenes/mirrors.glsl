@@ -2,6 +2,7 @@
 //@ look    "the figure between two mirrors, again and again, each time darker and greener; a bent row where the tilt is not 0"
 //@ camera  eye 0.7 1.3 -1.35  target -0.15 0.8 1.6  fov 60
 //@ sun     elevation 40  azimuth 100
+//@ atmosphere earth
 //@ size    512 512
 //@ mirror-plane  0 0
 //@ mirror-plane  -tilt 0

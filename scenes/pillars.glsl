@@ -2,6 +2,7 @@
 //@ look    "rows of pillars at the magic hour: each one's soft shade away from the glow, no seam halfway between two"
 //@ camera  eye 3.3 1.7 -8.2  target -0.4 1.0 0  fov 50
 //@ sun     elevation 3  azimuth 60
+//@ atmosphere earth
 //@ size    640 480
 //@ exposure 0.8
 //@ preset  noon      sun.elevation 60  exposure 0

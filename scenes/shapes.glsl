@@ -2,6 +2,7 @@
 //@ look    "the ten shapes, exact; the checkbox marches their distances, and nothing but the time must change"
 //@ camera  eye 0 5 -6.2  target 0 0.3 0  fov 33
 //@ sun     elevation 35  azimuth 140
+//@ atmosphere earth
 //@ size    640 480
 //@ bound   0 0.5 0  3.35
 //@ preset  noon      sun.elevation 60

@@ -2,6 +2,7 @@
 //@ look    "ten thousand spheres on a spiral: long shades at sunset, no cracks, and all of them again in the mirror ball"
 //@ camera  eye 0 2 -8  target 0 0.7 0  fov 42
 //@ sun     elevation 5  azimuth 115
+//@ atmosphere earth
 //@ size    768 512
 //@ sun-disk on
 //@ exposure -1

@@ -2,6 +2,7 @@
 //@ look    "the pointer's shadow among the hours: sharp at its foot and soft at its tip, as wide as the sun's disk makes it"
 //@ camera  eye 0 1.5 -1.7  target 0 0.42 -0.02  fov 36
 //@ sun     elevation 50  azimuth 205
+//@ atmosphere earth
 //@ size    512 512
 //@ sun-disk on
 //@ exposure -3

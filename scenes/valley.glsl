@@ -2,6 +2,7 @@
 //@ look    "a lake between hills: the slopes' shade, their image in the water, clearest where it is seen at a low angle"
 //@ camera  eye -1 3.5 -33  target 0.6 4.2 0  fov 50
 //@ sun     elevation 20  azimuth 30
+//@ atmosphere earth
 //@ size    640 480
 //@ preset  noon      sun.elevation 60
 //@ preset  sunset    sun.elevation 5   exposure 0.5

@@ -33,6 +33,7 @@ static void render_suns(const Context *context, const char *scene_path, const ch
     FilmCount count;
     Error error;
     if (!scene_read(&scene, scene_path, "glsl", &error)) fail_msg("%s", error.text);
+    scene.values.atmosphere = atmosphere_preset(0)->atmosphere;
     RenderParams params = {.scene = &scene, .sky = sky, .light = "cosine", .width = SIZE, .height = SIZE};
     if (!renderer_create(&renderer, context, &params, &error)) fail_msg("%s", error.text);
     for (int s = 0; s < SUNS; s++) {

@@ -322,7 +322,9 @@ static void test_by_chance(void **state) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         for (int disk = 0; disk < 2; disk++) {
             support_expect(
-                0, "", "render scenes/%s.glsl --size 32x32 --spp 16 --sun 30 %s --progress json -o '%s'",
+                0, "",
+                "render scenes/%s.glsl --atmosphere simmons2017 --size 32x32 --spp 16 --sun 30 %s "
+                "--progress json -o '%s'",
                 cases[i].scene, disk ? "--sun-disk" : "--sun-disk=off", support_path("chance.exr"));
             bool warned = strstr(support_err, "found by chance") != NULL;
             bool expected = disk && cases[i].thrown;

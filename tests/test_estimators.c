@@ -77,7 +77,8 @@ static void test_planes(void **state) {
     (void)state;
     static const char *const places[] = {"--sun 40,100", "--sun 35,10", "--sun 35,185"};
     static const char *const others[] = {"--sun-disk=sampled"};
-    compare("scenes/mirrors.glsl", "--spp 512 --set sun.radius=25 --light cosine --sequence random", places,
+    compare("scenes/mirrors.glsl",
+            "--spp 512 --atmosphere simmons2017 --set sun.radius=25 --light cosine --sequence random", places,
             COUNT(places), "--sun-disk=chance", others, COUNT(others));
 }
 

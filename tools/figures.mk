@@ -1,5 +1,5 @@
 # What the READMEs show and claim, made anew: pictures, charts and measurements. Included by the Makefile.
-.PHONY: gallery atlas honesty sheets charts view check-view measure-view
+.PHONY: gallery atlas honesty sheets skies charts view check-view measure-view
 
 # The README's pictures.
 gallery: all
@@ -19,6 +19,11 @@ honesty: all
 sheets: all
 	@tools/deps.sh --missing figures
 	tools/sheets.sh $(BUILD)/magichour out/sheets scenes/gallery
+
+# The README's skies from noon to night under two atmospheres, and scenes under one of them: a few minutes.
+skies: all
+	@tools/deps.sh --missing figures
+	tools/skies.sh $(BUILD)/magichour out/skies scenes/gallery
 
 # The README's charts of speed against accuracy, measured here; what is measured already is only drawn again.
 charts: all

@@ -168,12 +168,12 @@ check_glslang() {
     make -s all >/dev/null
     lights=$(methods --light) sequences=$(methods --sequence)
     for scene in scenes/*.glsl; do
-        for sky in table gauss:4 gauss:12 paper uniform; do echo "$scene --sky $sky"; done
-        echo "$scene --sun-disk=chance"
-        for sky in table gauss paper; do echo "$scene --sky $sky --atmosphere earth"; done
-        for count in 3 6; do
-            for sky in table gauss; do echo "$scene --sky $sky --atmosphere earth --set atmosphere.spectrum=$count"; done
+        for atmosphere in simmons2017 simmons2017-ozone earth; do
+            for sky in table gauss:4 gauss:12 paper; do echo "$scene --sky $sky --atmosphere $atmosphere"; done
         done
+        for sky in table gauss; do echo "$scene --sky $sky --atmosphere earth --set atmosphere.spectrum=3"; done
+        echo "$scene --sky uniform"
+        echo "$scene --sun-disk=chance"
         for light in $lights; do
             for sequence in $sequences; do
                 echo "$scene --light $light --sequence $sequence"

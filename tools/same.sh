@@ -3,16 +3,16 @@
 #
 # BASE and NEW are folders that hold build/magichour, glsl/ and scenes/; each build renders its own scenes, with the same
 # seed. Pictures and results go to FOLDER, out/same by default. Three sets of pictures are rendered of every scene:
-#   light x sequence x sun disk, with the default sky;
+#   light x sequence x sun disk, with the default sky of the atmosphere simmons2017;
 #   sky x sun disk, with the default light;
-#   preset x sun disk, with every method by default.
+#   preset x sun disk, with every method by default and the scene's own atmosphere.
 # A choice that both builds refuse with the same message counts as the same. Where no value differs by more than a millionth of
 # it, as when a sum is taken in another order, the picture counts as rounded. Exits with 1 if anything differs by more.
 #
 #   --quick             about two minutes: every light with the sun's disk, one sequence, no further skies, no presets
 #   --scenes "A B"      only these scenes, by their names without .glsl
 #   --lights, --sequences, --disks, --skies, --presets "A B"   only these; "" leaves that set of pictures out.
-#                       A sky may begin with an atmosphere's name and a slash: earth/gauss:8
+#                       A sky may begin with an atmosphere's name and a slash: earth/table; simmons2017 if it does not
 #   --size WxH, --spp N, --seed N, --jobs N
 set -eu
 export LC_ALL=C
@@ -86,7 +86,8 @@ case ${1-} in --*) ;; ?*) FOLDER=$1 && shift ;; esac
 
 scenes="" size=24x24 spp=16 seed=1 jobs=2
 lights="control mis cosine paper" sequences="sobol additive random" disks="off sampled chance"
-skies="table gauss:4 gauss:8 gauss:12 paper:16x4 uniform earth/table earth/gauss:8 earth/paper:16x4"
+skies="table gauss:4 gauss:8 gauss:12 paper:16x4 uniform simmons2017-ozone/table simmons2017-ozone/gauss:8
+simmons2017-ozone/paper:16x4 earth/table"
 presets=all
 while [ $# -gt 0 ]; do
     case $1 in
@@ -129,12 +130,12 @@ for scene in $scenes; do
     [ -f "$BASE/scenes/$scene.glsl" ] || { echo "same: no scene $scene in $BASE" >&2; exit 2; }
     for disk in $disks; do
         for light in $lights; do for sequence in $sequences; do
-            echo "$scene --light $light --sequence $sequence --sun-disk=$disk"
+            echo "$scene --atmosphere simmons2017 --light $light --sequence $sequence --sun-disk=$disk"
         done; done
         for sky in $skies; do
             case $sky in
             */*) echo "$scene --atmosphere ${sky%%/*} --sky ${sky#*/} --sun-disk=$disk" ;;
-            *) echo "$scene --sky $sky --sun-disk=$disk" ;;
+            *) echo "$scene --atmosphere simmons2017 --sky $sky --sun-disk=$disk" ;;
             esac
         done
         names=$presets
