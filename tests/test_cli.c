@@ -80,7 +80,7 @@ static void test_loop_budget(void **state) {
          "this OpenGL's limit is "},
         {"crater.glsl --sky paper:300x200 --light control", "needs 123604 loop iterations"},
         {"crater.glsl --depth 100000", "this OpenGL's limit is "},
-        {"gyroid.glsl --depth 1000", "this OpenGL's limit is "},
+        {"gyroid.glsl --atmosphere simmons2017 --depth 1000", "this OpenGL's limit is "},
     };
     Context context;
     Error error;
@@ -321,11 +321,11 @@ static void test_by_chance(void **state) {
                  {"pillars", NULL}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         for (int disk = 0; disk < 2; disk++) {
-            support_expect(
-                0, "",
-                "render scenes/%s.glsl --atmosphere simmons2017 --size 32x32 --spp 16 --sun 30 %s "
-                "--progress json -o '%s'",
-                cases[i].scene, disk ? "--sun-disk" : "--sun-disk=off", support_path("chance.exr"));
+            support_expect(0, "",
+                           "render scenes/%s.glsl --atmosphere simmons2017 --size 32x32 --spp 16 --sun 30 %s "
+                           "--progress json -o '%s'",
+                           cases[i].scene, disk ? "--sun-disk" : "--sun-disk=off",
+                           support_path("chance.exr"));
             bool warned = strstr(support_err, "found by chance") != NULL;
             bool expected = disk && cases[i].thrown;
             assert_true(warned == expected && warned == (strstr(support_err, "sun_by_chance") != NULL));
