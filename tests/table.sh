@@ -23,7 +23,7 @@ table() {
         "| Scene | Mean, less 1 | Limit | Worst pixel, off by |"
     table z-tests "The z-tests of \`test_scenes\`: the default methods against the plainest ones, without the sun's disk, 48x36 pixels, 8 seeds of 64 samples." \
         "| Scene | Means differ by | Limit | Mean z² | Expected | z beyond 4 | Expected |"
-    table noise "The noise of \`test_noise\`, of 64 samples." \
+    table noise "The noise of \`test_noise\`, of 64 samples under the atmosphere \`simmons2017\`." \
         "| Scene | \`--sun-disk\` | Noise | Expected |"
     echo
     sed -n '/^<!-- end of the tables/,$p' tests/README.md
