@@ -1,6 +1,6 @@
 #version 330 core
 // The moments of all fields together. Each field beyond the fifth is taken to be the one before it times the same factor, which is the fifth
-// field's moment 0 over the fourth's at each point. So the rest is a geometric series. The factor is 0.99 at most, because the ratio of two fields says
+// field's moment 0 over the fourth's at each point. So the rest is a geometric series. The factor is 0.9 at most, because the ratio of two fields says
 // little in air that is as good as opaque.
 #include "pass/atmosphere.glsl"
 #include <spectrum>
@@ -53,7 +53,7 @@ vec3 sum_share(sampler2D moments, SumTexel texel, float degree) {
 
 // Returns by how much the fourth field is to be multiplied, to stand for those that follow it too. The arguments are logarithms.
 vec3 sum_tail(vec3 fifth, vec3 fourth) {
-    vec3 ratio = min(exp(fifth - fourth), vec3(0.99));
+    vec3 ratio = min(exp(fifth - fourth), vec3(0.9));
     vec3 left = sum_following < 0.0 ? vec3(0.0) : pow(ratio, vec3(sum_following + 1.0));
     return (1.0 - left) / (1.0 - ratio);
 }
