@@ -32,10 +32,17 @@ static const char *sky_of(const PaneParams *params) {
     return a->observer_height_m > a->top_radius_m - a->planet_radius_m ? "gauss:8" : "table";
 }
 
+/* The quality of the further orders does not follow the sun, as auto's would: tables of another quality take
+ * longer to fill than a hand waits. */
+static const char *further_of(const PaneParams *params) {
+    const char *name = method_name(params->methods->further);
+    return name ? name : method_family(METHOD_FURTHER)->fallback;
+}
+
 static RenderParams render_params(const PaneParams *params, int coarseness) {
     return (RenderParams){.scene = params->scene,
                           .sky = sky_of(params),
-                          .further = method_name(params->methods->further),
+                          .further = further_of(params),
                           .light = method_name(params->methods->light),
                           .sequence = method_name(params->methods->sequence),
                           .sun_disk = method_name(params->methods->sun_disk),
