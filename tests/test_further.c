@@ -86,7 +86,7 @@ static void test_rows_10(void **state) {
 
 static void test_rows_14(void **state) {
     (void)state;
-    static const SkiesBounds bounds[] = {{0.25, 1}, {0.35, 1.3}, {0.45, 1.5}, {2, 6}};
+    static const SkiesBounds bounds[] = {{0.25, 0.9}, {0.35, 1.3}, {0.45, 1.5}, {2, 6}};
     expect_rows("gauss:12", "harmonics:14", 1, bounds);
 }
 
@@ -124,7 +124,7 @@ static void test_irradiances(void **state) {
     }
     print_message("irradiance: off by %.3f %% at most with the sun up, %.3f %% down to -6, %.3f %% below\n",
                   worst[0], worst[1], worst[2]);
-    assert_true(worst[0] < 0.45 && worst[1] < 0.5);
+    assert_true(worst[0] < 0.3 && worst[1] < 0.5);
 }
 
 /* The texels of the table of further light, so that no interpolation of it counts (glsl/sky/table.glsl). */
