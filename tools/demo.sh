@@ -32,7 +32,8 @@ figure earth-noon "the sun at 60" crater.glsl --atmosphere earth --preset noon -
 figure earth-sunset "the sun at 5: blue where the paper's sky is green" crater.glsl --atmosphere earth --preset sunset --spp 256 "$@"
 figure earth-early-evening "the sun at -2: the sky overhead is blue, because ozone absorbs red" crater.glsl --atmosphere earth \
     --preset early-evening --spp 256 "$@"
-figure earth-blue-hour "the sun at -6: the paper's sky would be brown" crater.glsl --atmosphere earth --sun -6 --exposure 8.3 --spp 256 "$@"
+figure earth-blue-hour "the sun at -6: the paper's sky would be brown" crater.glsl --atmosphere earth --sun -6 --exposure 8.3 \
+    --sky table --spp 256 "$@"
 
 echo "Not the paper's: the sun's own disk shines too."
 figure sunlit-noon "the sun at 60" crater.glsl --preset noon --sun-disk --exposure -3 --spp 256 "$@"
