@@ -306,13 +306,14 @@ static double srgb_exact(double v) {
 }
 
 /* The mean of a dithered patch is the exact value: 3 * 128^2 bytes, so 0.0023 is one standard deviation at
- * most. */
+ * most. It is what the tone curve says, too. */
 static void assert_patch_mean(float radiance, ImageWriteParams params, double shown) {
     enum { SIDE = 128 };
     Image image = image_create(SIDE, SIDE);
     for (int i = 0; i < 4 * SIDE * SIDE; i++) image.rgba[i] = radiance;
     unsigned char *bytes = png_bytes(&image, &params);
     double sum = 0, exact = 255 * srgb_exact(shown);
+    assert_true(fabs(tone_level(params.tone, exp2(params.exposure_ev), (double)radiance) - exact) < 1e-9);
     for (int i = 0; i < 3 * SIDE * SIDE; i++) {
         assert_true(fabs(bytes[i] - exact) < 1);
         sum += bytes[i];

@@ -7,19 +7,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* To [0,1]. Negative and NaN become 0, +inf 1. */
-static double tone_apply(Tone tone, double x) {
-    if (!(x > 0)) return 0;
-    if (tone == TONE_NONE) return fmin(x, 1);
-    x = fmin(x, 1e6); /* far above the curve's end, and its square is finite */
-    return fmin(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1);
-}
-
-/* IEC 61966-2-1. */
-static double srgb_from_linear(double v) {
-    return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1 / 2.4) - 0.055;
-}
-
 /* "lowbias32" by Chris Wellons: every bit of the input changes each bit of the result half of the time. */
 static uint32_t hash(uint32_t x) {
     x ^= x >> 16;
@@ -29,11 +16,11 @@ static uint32_t hash(uint32_t x) {
     return x ^ x >> 16;
 }
 
-/* Rounds v in [0,1] to 0..255, up as often as its fraction says: the mean over an area is right, and no bands
- * show. 0 and 1 have no fraction: they stay. */
-static png_byte dither(double v, int x, int y, int channel) {
+/* Rounds a level, up as often as its fraction says: the mean over an area is right, and no bands show. 0 and
+ * 255 have no fraction: they stay. */
+static png_byte dither(double level, int x, int y, int channel) {
     uint32_t random = hash((uint32_t)x + hash((uint32_t)y + hash((uint32_t)channel + 1)));
-    return (png_byte)fmin(255 * v + random * 0x1p-32, 255);
+    return (png_byte)fmin(level + random * 0x1p-32, 255);
 }
 
 static void row_convert(const Image *image, int y, const ImageWriteParams *params, png_byte *row) {
@@ -41,8 +28,7 @@ static void row_convert(const Image *image, int y, const ImageWriteParams *param
     const float *pixel = image->rgba + 4 * (size_t)y * (size_t)image->width;
     for (int x = 0; x < image->width; x++, pixel += 4) {
         for (int c = 0; c < 3; c++) {
-            double shown = srgb_from_linear(tone_apply(params->tone, gain * (double)pixel[c]));
-            *row++ = dither(shown, x, y, c);
+            *row++ = dither(tone_level(params->tone, gain, (double)pixel[c]), x, y, c);
         }
     }
 }

@@ -2,15 +2,9 @@
 #pragma once
 
 #include "image/attribute.h"
+#include "image/tone.h"
 
 #include <stdbool.h>
-
-typedef enum Tone {
-    /* The author's tone curve, Narkowicz's fit of ACES. */
-    TONE_AUTHOR,
-    /* Clamp at 1. */
-    TONE_NONE
-} Tone;
 
 /* Zero is the default. */
 typedef struct ImageWriteParams {

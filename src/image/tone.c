@@ -1,0 +1,20 @@
+#include "image/tone.h"
+
+#include <math.h>
+
+/* To [0,1]. Negative and NaN become 0, +inf 1. */
+static double tone_apply(Tone tone, double x) {
+    if (!(x > 0)) return 0;
+    if (tone == TONE_NONE) return fmin(x, 1);
+    x = fmin(x, 1e6); /* far above the curve's end, and its square is finite */
+    return fmin(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1);
+}
+
+/* IEC 61966-2-1. */
+static double srgb_from_linear(double v) {
+    return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1 / 2.4) - 0.055;
+}
+
+double tone_level(Tone tone, double gain, double radiance) {
+    return 255 * srgb_from_linear(tone_apply(tone, gain * radiance));
+}

@@ -1,0 +1,13 @@
+/* How a radiance is shown: the tone curve, and the encoding of sRGB behind it. */
+#pragma once
+
+typedef enum Tone {
+    /* The author's tone curve, Narkowicz's fit of ACES. */
+    TONE_AUTHOR,
+    /* Clamp at 1. */
+    TONE_NONE
+} Tone;
+
+/* The level from 0 to 255 that a radiance is shown as, neither rounded nor dithered. The radiance is
+ * multiplied by `gain`, 2^exposure. Negative radiances and NaN are shown as 0, infinity as 255. */
+double tone_level(Tone tone, double gain, double radiance);
