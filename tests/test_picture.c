@@ -25,7 +25,7 @@ static Image render(const char *environment, const char *arguments) {
 static Comparison compare(Image *a, Image *b) {
     Comparison comparison;
     Error error;
-    if (!compare_images(a, b, NULL, NULL, &comparison, &error)) fail_msg("%s", error.text);
+    if (!compare_images(a, b, NULL, &comparison, &error)) fail_msg("%s", error.text);
     assert_int_equal(comparison.nonfinite, 0);
     return comparison;
 }

@@ -107,7 +107,7 @@ static bool make(Reference *reference, Maker *maker, double seconds, Error *erro
     if (ok && monitor_stopped(maker->monitor)) {
         image_free(&reference->image);
     } else if (ok) {
-        ok = compare_images(&reference->image, &other, NULL, NULL, &between, error);
+        ok = compare_images(&reference->image, &other, NULL, &between, error);
         /* The error of the mean of two halves is half of their difference. */
         reference->error_percent = between.rel_rmse_percent / 2;
         reference->trimmed_percent = between.trimmed_percent / 2;
@@ -168,7 +168,7 @@ void reference_free(Reference *reference) {
 bool reference_error(const Reference *reference, const Image *image, bool trimmed, double *percent,
                      Error *error) {
     Comparison between;
-    if (!compare_images(image, &reference->image, NULL, NULL, &between, error)) return false;
+    if (!compare_images(image, &reference->image, NULL, &between, error)) return false;
     if (between.nonfinite)
         return error_set(error, STATUS_FAILURE, "%ld pixels are not finite", between.nonfinite);
     double measured = trimmed ? between.trimmed_percent : between.rel_rmse_percent;

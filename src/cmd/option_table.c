@@ -54,6 +54,10 @@ const OptionRow option_table[] = {
      "for .png: radiance times 2^EV; the scene's by default", NULL},
     {GROUP_OUTPUT, "--tone", "CURVE", R | S, TAKE(take_tone), "for .png: author or none; author by default",
      NULL},
+    {GROUP_OUTPUT, "--exposure", "EV", C, TAKE(take_exposure),
+     "for levels: radiance times 2^EV; by default that of B's metadata, or 0", NULL},
+    {GROUP_OUTPUT, "--tone", "CURVE", C, TAKE(take_tone), "for levels: author or none; author by default",
+     NULL},
     {GROUP_OUTPUT, "--aov", "LIST", R, STRING(aov),
      "layers of .exr, some of albedo,normal,depth,samples,variance", NULL},
     {GROUP_OUTPUT, "--record", "DIR", V, STRING(record),
@@ -72,6 +76,8 @@ const OptionRow option_table[] = {
      "all of them as JSON lines, with the uniforms and the tables of each", NULL},
     {GROUP_OUTPUT, "--mask", "FILE", C, STRING(mask), "compare only where this picture's red is above 0.5",
      NULL},
+    {GROUP_OUTPUT, "--with-sun", NULL, C, FLAG(with_sun),
+     "compare the pixels of the sun's own image too, which are left out by default", NULL},
 
     {GROUP_SKY, "--sun", "EL[,AZ]", R | V | S | H | E, TAKE(take_sun),
      "the sun's elevation and azimuth (from +z toward +x), degrees", NULL},
@@ -106,6 +112,8 @@ const OptionRow option_table[] = {
      "exit with 6 if the relRMSE is above this", NULL},
     {GROUP_ACCURACY, "--max-bias", "PERCENT", C, TAKE(take_max_bias),
      "exit with 6 if a channel's bias is beyond this", NULL},
+    {GROUP_ACCURACY, "--max-levels", "N", C, TAKE(take_max_levels),
+     "exit with 6 if the RMS difference of the shown pictures is above N levels of 255", NULL},
     {GROUP_ACCURACY, "--se", "FILE", C, STRING(standard_error),
      "standard errors of the difference: prints mean z^2 and the share of |z| > 4", NULL},
 

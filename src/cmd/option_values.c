@@ -104,6 +104,10 @@ bool take_max_bias(Options *options, const char *name, const char *value, Error 
     return number_parse_range(name, value, 0, 1e9, &options->max_bias_percent, error);
 }
 
+bool take_max_levels(Options *options, const char *name, const char *value, Error *error) {
+    return number_parse_range(name, value, 0, 255, &options->max_levels, error);
+}
+
 /* Reads an option whose value is one of these words. */
 static bool take_word(const char *name, const char *value, const char *const *words, const char **target,
                       Error *error) {

@@ -76,7 +76,10 @@ typedef struct Options {
     bool all, json;
 
     /* Infinite if they were not given. */
-    double max_relrmse_percent, max_bias_percent;
+    double max_relrmse_percent, max_bias_percent, max_levels;
 
     const char *standard_error, *mask;
+
+    /* For `compare`: the pixels of the sun's own image are compared too. */
+    bool with_sun;
 } Options;

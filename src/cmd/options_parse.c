@@ -157,7 +157,8 @@ static bool take_help(Options *options, Error *error) {
 }
 
 bool options_parse(Options *options, int argc, char **argv, Error *error) {
-    *options = (Options){.max_relrmse_percent = INFINITY, .max_bias_percent = INFINITY};
+    *options =
+        (Options){.max_relrmse_percent = INFINITY, .max_bias_percent = INFINITY, .max_levels = INFINITY};
     if (argc < 2) return error_set(error, STATUS_USAGE, "which command? (see magichour --help)");
     options->help = strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0;
     options->version = strcmp(argv[1], "--version") == 0;

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* What one pass over the pictures gathers. */
 typedef struct Gathered {
@@ -11,6 +12,7 @@ typedef struct Gathered {
     double a[3], b[3];     /* sums, a channel each */
     double squares;        /* sum of (a - b)^2 */
     double *pixel_squares; /* the same, a pixel each */
+    double *pixel_b;       /* the sum of b's channels, a pixel each */
     double *distances;     /* |a - b|, three a pixel */
     long z_count, z_above_4;
     double z_squares;
@@ -48,6 +50,7 @@ static void gather_pixel(Gathered *sums, const float *a, const float *b, const f
         if (standard_error) gather_z(sums, difference, (double)standard_error[c]);
     }
     sums->squares += square;
+    sums->pixel_b[sums->count] = (double)b[0] + (double)b[1] + (double)b[2];
     sums->pixel_squares[sums->count++] = square;
 }
 
@@ -80,21 +83,35 @@ static double percent_of(double value, double mean) {
     return value == 0 ? 0 : mean == 0 ? INFINITY : 100 * value / mean;
 }
 
-/* Root of the mean square difference without the 0.1 % of pixels that differ most; one always remains. */
-static double trimmed_rms(Gathered *sums) {
+/* Root of the mean square difference / mean(b), without the 0.1 % of pixels that differ most; one always
+ * remains. */
+static double trimmed_percent(const Gathered *sums) {
     long dropped = (sums->count + 999) / 1000;
     long kept = sums->count > dropped ? sums->count - dropped : 1;
-    select_smallest(sums->pixel_squares, sums->count, kept - 1);
-    double squares = 0;
-    for (long i = 0; i < kept; i++) squares += sums->pixel_squares[i];
-    return sqrt(squares / (3.0 * (double)kept));
+    double *ranked = memory_get((size_t)sums->count, sizeof *ranked);
+    memcpy(ranked, sums->pixel_squares, (size_t)sums->count * sizeof *ranked);
+    select_smallest(ranked, sums->count, kept - 1);
+    double largest = ranked[kept - 1], squares = 0, b = 0;
+    free(ranked);
+
+    /* Of the pixels that differ just as much as the last that is kept, the first ones are kept. */
+    long equal = kept;
+    for (long i = 0; i < sums->count; i++) equal -= sums->pixel_squares[i] < largest;
+    for (long i = 0; i < sums->count; i++) {
+        double square = sums->pixel_squares[i];
+        if (square > largest || (square == largest && equal-- <= 0)) continue;
+        squares += square;
+        b += sums->pixel_b[i];
+    }
+    double values = 3.0 * (double)kept;
+    return percent_of(sqrt(squares / values), fabs(b) / values);
 }
 
 static void figures_fill(Comparison *result, Gathered *sums) {
     long values = 3 * sums->count;
     double mean = fabs(sums->b[0] + sums->b[1] + sums->b[2]) / (double)values;
     result->rel_rmse_percent = percent_of(sqrt(sums->squares / (double)values), mean);
-    result->trimmed_percent = percent_of(trimmed_rms(sums), mean);
+    result->trimmed_percent = trimmed_percent(sums);
     for (int c = 0; c < 3; c++) result->bias_percent[c] = percent_of(sums->a[c] - sums->b[c], sums->b[c]);
 
     double largest = 0;
@@ -111,25 +128,46 @@ static void figures_fill(Comparison *result, Gathered *sums) {
     }
 }
 
-bool compare_images(const Image *a, const Image *b, const Image *standard_error, const Image *mask,
-                    Comparison *result, Error *error) {
+static bool sizes_check(const Image *a, const Image *b, const CompareOptions *options, Error *error) {
+    return size_check(a, b, "the picture", error) &&
+           size_check(options->standard_error, b, "the picture of standard errors", error) &&
+           size_check(options->mask, b, "the mask", error);
+}
+
+/* Gathers the pixels that are compared, and marks them. */
+static void gather(Gathered *sums, const Image *a, const Image *b, const CompareOptions *options,
+                   unsigned char *compared, Comparison *result) {
+    const Image *mask = options->mask, *standard_error = options->standard_error;
+    size_t pixels = (size_t)b->width * (size_t)b->height;
+    for (size_t pixel = 0, i = 0; pixel < pixels; pixel++, i += 4) {
+        if (mask && !(mask->rgba[i] > 0.5F)) continue;
+        if (options->sun && options->sun[pixel]) {
+            result->sun_pixels++;
+            continue;
+        }
+        result->pixels++;
+        compared[pixel] = pixel_is_finite(a->rgba + i, b->rgba + i);
+        if (compared[pixel])
+            gather_pixel(sums, a->rgba + i, b->rgba + i, standard_error ? standard_error->rgba + i : NULL);
+        else
+            result->nonfinite++;
+    }
+}
+
+bool compare_images(const Image *a, const Image *b, const CompareOptions *options, Comparison *result,
+                    Error *error) {
+    static const CompareOptions defaults = {0};
+    if (!options) options = &defaults;
     *result = (Comparison){0};
-    if (!size_check(a, b, "the picture", error)) return false;
-    if (!size_check(standard_error, b, "the picture of standard errors", error)) return false;
-    if (!size_check(mask, b, "the mask", error)) return false;
+    if (!sizes_check(a, b, options, error)) return false;
 
     size_t pixels = (size_t)b->width * (size_t)b->height;
     Gathered sums = {.pixel_squares = memory_get(pixels, sizeof(double)),
+                     .pixel_b = memory_get(pixels, sizeof(double)),
                      .distances = memory_get(pixels, 3 * sizeof(double))};
-    for (size_t i = 0; i < 4 * pixels; i += 4) {
-        if (mask && !(mask->rgba[i] > 0.5F)) continue;
-        result->pixels++;
-        if (pixel_is_finite(a->rgba + i, b->rgba + i)) {
-            gather_pixel(&sums, a->rgba + i, b->rgba + i, standard_error ? standard_error->rgba + i : NULL);
-        } else {
-            result->nonfinite++;
-        }
-    }
+    unsigned char *compared = memory_get(pixels, 1);
+    gather(&sums, a, b, options, compared, result);
+    result->levels = levels_compare(a, b, compared, options->tone, options->exposure_ev);
     if (sums.count) {
         figures_fill(result, &sums);
     } else {
@@ -137,8 +175,11 @@ bool compare_images(const Image *a, const Image *b, const Image *standard_error,
         result->largest_percent = result->p99_percent = INFINITY;
         for (int c = 0; c < 3; c++) result->bias_percent[c] = INFINITY;
     }
+    free(compared);
     free(sums.pixel_squares);
+    free(sums.pixel_b);
     free(sums.distances);
-    return result->pixels ? true
-                          : error_set(error, STATUS_USAGE, "no pixel to compare: the mask admits none");
+    if (result->pixels) return true;
+    return error_set(error, STATUS_USAGE, "no pixel to compare: %s",
+                     result->sun_pixels ? "all hold the sun's own image" : "the mask admits none");
 }

@@ -33,6 +33,7 @@ void describe_picture(AttributeList *list, const Scene *scene, const Renderer *r
                   scene->values.sun.azimuth_deg);
     attribute_add(list, "magichour.sun_disk", "%s, radius %.9g degrees", renderer->plan.sun.text,
                   scene->values.sun.radius_deg);
+    attribute_add(list, "magichour.exposure", "%.9g", scene->values.exposure_ev);
     attribute_add(list, "magichour.sky", "%s", renderer->plan.sky.text);
     if (scene->values.atmosphere.orders > 1)
         attribute_add(list, "magichour.further", "%s", renderer->plan.further.text);

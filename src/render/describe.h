@@ -9,7 +9,7 @@
 void describe_value(AttributeList *list, const char *group, const char *name, const double *value, int count);
 void describe_atmosphere(const Atmosphere *atmosphere, AttributeList *list);
 
-/* Adds the scene, sun, methods, seed, OpenGL, parameters and atmosphere, and iTime and iMouse where they are
- * not 0. */
+/* Adds the scene, sun, exposure, methods, seed, OpenGL, parameters and atmosphere, and iTime and iMouse where
+ * they are not 0. */
 void describe_picture(AttributeList *list, const Scene *scene, const Renderer *renderer,
                       const Context *context);
