@@ -40,7 +40,7 @@ void studio_open(Studio *studio, const char *scene, const char *arguments) {
                                     .seed = options->seed,
                                     .max_hits = options->depth,
                                     .samples = options->samples,
-                                    .error_percent = options->error_percent};
+                                    .error_percent = options->error.amount};
     if (!renderer_create(&studio->renderer, &studio->context, &studio->params, &error))
         fail_msg("%s %s: %s", scene, arguments, error.text);
 }

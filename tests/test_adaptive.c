@@ -24,9 +24,9 @@ static double normal_number(uint64_t *state) {
 
 /* A mean of 1 whose errors fall as samples^-(power / 2), level by level as exchangeable halves have it: what
  * a doubling takes off is independent of what is left. Gives the estimate over the true error. */
-static double estimate_ratio(double power, double trim, uint64_t seed) {
+static double estimate_ratio(double power, uint64_t seed) {
     enum { SIDE = 96, LEVELS = 12 };
-    Noise noise = noise_create(SIDE, SIDE, trim);
+    Noise noise = noise_create(SIDE, SIDE, NULL);
     Image mean = image_create(SIDE, SIDE);
     double true_error = 0;
     static double errors[3 * SIDE * SIDE];
@@ -48,10 +48,10 @@ static double estimate_ratio(double power, double trim, uint64_t seed) {
         for (int i = 0; i < 3 * SIDE * SIDE; i++)
             mean.rgba[4 * (i / 3) + i % 3] = (float)(1 + history[level][i]);
         noise_measure(&noise, &mean);
-        if (level == 0) assert_true(isinf(noise_percent(&noise)));
+        if (level == 0) assert_true(isinf(noise_error(&noise, NOISE_RADIANCE)));
     }
     for (int i = 0; i < 3 * SIDE * SIDE; i++) true_error += history[5][i] * history[5][i];
-    double ratio = noise_percent(&noise) / (100 * sqrt(true_error / (3 * SIDE * SIDE)));
+    double ratio = noise_error(&noise, NOISE_RADIANCE) / (100 * sqrt(true_error / (3 * SIDE * SIDE)));
     image_free(&mean);
     noise_destroy(&noise);
     return ratio;
@@ -59,38 +59,99 @@ static double estimate_ratio(double power, double trim, uint64_t seed) {
 
 static void test_estimate(void **state) {
     (void)state;
-    double independent = estimate_ratio(1, 0, 1), sequence = estimate_ratio(1.3, 0, 2);
+    double independent = estimate_ratio(1, 1), sequence = estimate_ratio(1.3, 2);
     print_message("estimated over true error: %.3f independent, %.3f falling as n^-1.3\n", independent,
                   sequence);
     assert_true(independent > 1.0 && independent < 1.1);
     assert_true(sequence > 1.0 && sequence < 1.25);
 }
 
-/* Without the worst pixels, the figure is that of the others: one pixel in a thousand may be as bad as it
- * likes. */
-static void test_trim(void **state) {
-    (void)state;
-    enum { SIDE = 64 };
-    Noise noise = noise_create(SIDE, SIDE, 0.001), plain = noise_create(SIDE, SIDE, 0);
-    Image mean = image_create(SIDE, SIDE);
-    uint64_t seed = 5;
-    for (int level = 0; level < 4; level++) {
-        for (int i = 0; i < noise.columns * noise.rows; i++)
-            noise.tiles[i].samples = plain.tiles[i].samples = (uint64_t)16 << level;
-        for (int i = 0; i < SIDE * SIDE; i++) {
-            double error = 0.01 * pow(2, -0.5 * level) * normal_number(&seed);
-            for (int c = 0; c < 3; c++)
-                mean.rgba[4 * i + c] = (float)(1 + error + (i % 1500 == 7 ? 5 * (level % 2) : 0));
-        }
-        noise_measure(&noise, &mean);
-        noise_measure(&plain, &mean);
+/* Draws a grey picture of 0.2, or its next doubling. Its pixels err by 0.01 at 16 samples, those of the first
+ * tile by `first` times as much. `sun` pixels are as bright as the sun and err as much. */
+static void draw(Image *mean, int level, int sun, double first, uint64_t *seed) {
+    for (int i = 0; i < mean->width * mean->height; i++) {
+        bool in_first = i / mean->width < NOISE_TILE && i % mean->width < NOISE_TILE;
+        double half = 0.01 * pow(2, -0.5 * fmax(level - 1, 0)) * normal_number(seed) * (in_first ? first : 1);
+        double before = (double)mean->rgba[4 * i] - 0.2, error = level ? 0.5 * (before + half) : half;
+        for (int c = 0; c < 3; c++)
+            mean->rgba[4 * i + c] = (float)(i < sun ? 1e4 * (1 + level % 2) : 0.2 + error);
     }
-    print_message("%.3f %% without the worst pixels, %.3f %% with them\n", noise_percent(&noise),
-                  noise_percent(&plain));
-    assert_true(noise_percent(&noise) < 1.5 && noise_percent(&plain) > 5);
+}
+
+static void measure(Noise *noise, const Image *mean, int level) {
+    for (int i = 0; i < noise->columns * noise->rows; i++) noise->tiles[i].samples = (uint64_t)16 << level;
+    noise_measure(noise, mean);
+}
+
+/* The pixels of the sun's own image are left out of the error and of the mean alike. If they are all pixels,
+ * none is left out. */
+static void test_left_out(void **state) {
+    (void)state;
+    enum { SIDE = 64, SUN = 5 };
+    Noise noise = noise_create(SIDE, SIDE, NULL), plain = noise_create(SIDE, SIDE, NULL);
+    Image mean = image_create(SIDE, SIDE);
+    unsigned char mask[SIDE * SIDE] = {0};
+    float variance[3 * SIDE * SIDE];
+    uint64_t seed = 5;
+    memset(mask, 1, SUN);
+    noise_leave_out(&noise, mask);
+    assert_true(noise.counted == SIDE * SIDE - SUN && noise.tiles[0].counted == 256 - SUN);
+    for (int level = 0; level < 4; level++) {
+        draw(&mean, level, SUN, 1, &seed);
+        measure(&noise, &mean, level);
+        measure(&plain, &mean, level);
+    }
+    double error = noise_error(&noise, NOISE_RADIANCE);
+    print_message("%.3f %% without the sun, %.3f %% with it\n", error, noise_error(&plain, NOISE_RADIANCE));
+    assert_true(error > 1.3 && error < 2.5 && fabs(noise.mean - 0.2) < 1e-3);
+    assert_true(noise_error(&plain, NOISE_RADIANCE) > 100);
+    for (int i = 0; i < 3 * SIDE * SIDE; i++) variance[i] = i < 3 * SUN ? 1e6F : 2;
+    noise_calibrate(&noise, variance);
+    assert_true(variance[0] == 1e6F && variance[3 * SUN] < 1e-4F);
+    memset(mask, 1, sizeof mask);
+    noise_leave_out(&noise, mask);
+    assert_true(noise.counted == SIDE * SIDE - SUN);
     image_free(&mean);
     noise_destroy(&noise);
     noise_destroy(&plain);
+}
+
+/* In levels, the picture's figure and its worst tile's agree with what `compare` measures against the truth.
+ */
+static void test_levels(void **state) {
+    (void)state;
+    enum { SIDE = 64 };
+    ToneTable tone = tone_table(TONE_AUTHOR, 1);
+    Noise noise = noise_create(SIDE, SIDE, &tone);
+    Image mean = image_create(SIDE, SIDE), truth = image_create(SIDE, SIDE);
+    unsigned char compared[SIDE * SIDE];
+    uint64_t seed = 8;
+    double rms, worst;
+    memset(compared, 1, sizeof compared);
+    for (int i = 0; i < 4 * SIDE * SIDE; i++) truth.rgba[i] = 0.2F;
+    for (int level = 0; level < 4; level++) {
+        draw(&mean, level, 0, 5, &seed);
+        measure(&noise, &mean, level);
+        noise_levels(&noise, &rms, &worst);
+        assert_true(isinf(rms) == (level == 0));
+    }
+    Levels levels = levels_compare(&mean, &truth, compared, TONE_AUTHOR, 0);
+    print_message("RMS %.3f levels of %.3f, worst tile %.3f of %.3f\n", rms, levels.rms, worst,
+                  levels.worst_tile);
+    assert_true(rms > 0.95 * levels.rms && rms < 1.25 * levels.rms);
+    assert_true(worst > 0.9 * levels.worst_tile && worst < 1.3 * levels.worst_tile);
+    assert_true(noise_error(&noise, NOISE_LEVELS) == fmax(rms, worst / 2));
+    /* Shown otherwise, it is not known until the picture was measured twice. */
+    noise_show(&noise, 2);
+    for (int level = 4; level < 6; level++) {
+        assert_true(isinf(noise_error(&noise, NOISE_LEVELS)));
+        draw(&mean, level, 0, 5, &seed);
+        measure(&noise, &mean, level);
+    }
+    assert_true(noise_error(&noise, NOISE_LEVELS) < INFINITY);
+    image_free(&mean);
+    image_free(&truth);
+    noise_destroy(&noise);
 }
 
 typedef struct Bench {
@@ -148,9 +209,9 @@ static void test_adaptive(void **state) {
     Bench bench;
     Error error;
     bench_open(&bench, "sobol", SIZE, 3);
-    Adaptive adaptive = adaptive_create(&bench.renderer, 0);
-    assert_true(isinf(adaptive_percent(&adaptive)));
-    while (!(adaptive_percent(&adaptive) <= 1.2)) {
+    Adaptive adaptive = adaptive_create(&bench.renderer, NOISE_RADIANCE, NULL);
+    assert_true(isinf(adaptive_error(&adaptive, NOISE_RADIANCE)));
+    while (!(adaptive_error(&adaptive, NOISE_RADIANCE) <= 1.2)) {
         assert_true(adaptive.rounds < 20 && adaptive_round(&adaptive, &bench.renderer, 1.2, NULL, &error));
     }
     Image picture = read_film(&bench.renderer);
@@ -183,7 +244,7 @@ static void test_adaptive(void **state) {
     double error_percent = relrmse(&picture, &reference), even_percent = relrmse(&even, &reference);
     print_message("%.1f samples (%d to %d): %.3f %% estimated, %.3f %% true; as many everywhere: %.3f %%\n",
                   (double)paths / (SIZE * SIZE), (int)adaptive.least, (int)adaptive.most,
-                  adaptive_percent(&adaptive), error_percent, even_percent);
+                  adaptive_error(&adaptive, NOISE_RADIANCE), error_percent, even_percent);
     assert_true(error_percent < 1.2 && error_percent > 0.6);
     assert_true(error_percent < 0.85 * even_percent);
     image_free(&picture);
@@ -204,19 +265,19 @@ static void test_stopped(void **state) {
     Bench bench;
     Error error;
     bench_open(&bench, "sobol", SIZE, 0);
-    Adaptive adaptive = adaptive_create(&bench.renderer, 0);
+    Adaptive adaptive = adaptive_create(&bench.renderer, NOISE_RADIANCE, NULL);
     for (int i = 0; i < 4; i++) {
         /* 4 and 8 samples tell too little. */
-        assert_true(isinf(adaptive_percent(&adaptive)) == (i < 3));
+        assert_true(isinf(adaptive_error(&adaptive, NOISE_RADIANCE)) == (i < 3));
         assert_true(adaptive_round(&adaptive, &bench.renderer, 0.5, NULL, &error));
     }
-    double before = adaptive_percent(&adaptive);
+    double before = adaptive_error(&adaptive, NOISE_RADIANCE);
     uint64_t paths = adaptive.paths;
     /* Whether a draw is one piece, in which nobody asks, or many. */
     for (int i = 0; i < 2; i++) {
         bench.renderer.pixels_per_second = i ? 1 : 1e9;
         assert_true(adaptive_round(&adaptive, &bench.renderer, 0.1, yes, &error));
-        assert_true(adaptive.paths == paths && adaptive_percent(&adaptive) == before);
+        assert_true(adaptive.paths == paths && adaptive_error(&adaptive, NOISE_RADIANCE) == before);
     }
     adaptive.deadline = 0;
     assert_true(adaptive_round(&adaptive, &bench.renderer, 0.1, NULL, &error));
@@ -230,10 +291,8 @@ static void test_stopped(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_estimate),
-        cmocka_unit_test(test_trim),
-        cmocka_unit_test(test_adaptive),
-        cmocka_unit_test(test_stopped),
+        cmocka_unit_test(test_estimate), cmocka_unit_test(test_left_out), cmocka_unit_test(test_levels),
+        cmocka_unit_test(test_adaptive), cmocka_unit_test(test_stopped),
     };
     return cmocka_run_group_tests_name("adaptive", tests, support_folder, support_clean);
 }

@@ -158,14 +158,14 @@ static void test_reference(void **state) {
     if (!reference_get(&reference, path, "one", &context, &params, 1, &monitor, &error))
         fail_msg("%s", error.text);
     assert_false(reference.kept);
-    assert_true(reference.error_percent > 0 && reference.error_percent < 3);
+    assert_true(reference.noise[NOISE_RADIANCE] > 0 && reference.noise[NOISE_RADIANCE] < 3);
     double percent;
-    assert_true(reference_error(&reference, &reference.image, false, &percent, &error));
+    assert_true(reference_error(&reference, &reference.image, NOISE_RADIANCE, &percent, &error));
     assert_true(percent == 0); /* less than its own noise is none */
-    double noise = reference.error_percent;
+    double noise = reference.noise[NOISE_RADIANCE];
     reference_free(&reference);
     assert_true(reference_get(&reference, path, "one", &context, &params, 1, &monitor, &error));
-    assert_true(reference.kept && fabs(reference.error_percent / noise - 1) < 1e-4);
+    assert_true(reference.kept && fabs(reference.noise[NOISE_RADIANCE] / noise - 1) < 1e-4);
     reference_free(&reference);
     assert_true(reference_get(&reference, path, "two", &context, &params, 0.2, &monitor, &error));
     assert_false(reference.kept);

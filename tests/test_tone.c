@@ -2,7 +2,7 @@
 #include "support.h"
 
 #include "image/sun_pixels.h"
-#include "image/tone.h"
+#include "image/tone_table.h"
 
 #include <math.h>
 #include <string.h>
@@ -126,11 +126,29 @@ static void test_sun_pixels_refused(void **state) {
     assert_int_equal(mask[9], 1);
 }
 
+/* The table is the curve, in the dark, at its ends and between its knots. */
+static void test_tone_table(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        Tone tone = i ? TONE_NONE : TONE_AUTHOR;
+        double gain = i ? 0.37 : 4, most = 0;
+        ToneTable table = tone_table(tone, gain);
+        for (double x = 1e-9; x < 1e9; x *= 1.0037)
+            most = fmax(most, fabs((double)tone_table_level(&table, (float)x) - tone_level(tone, gain, x)));
+        print_message("the table errs by %.2g levels\n", most);
+        assert_true(most < 4e-3);
+        assert_true(tone_table_level(&table, 0) == 0 && tone_table_level(&table, -1) == 0);
+        assert_true(tone_table_level(&table, NAN) == 0 && tone_table_level(&table, INFINITY) > 254.99F);
+        assert_true(tone_levels_per_percent(tone) > 0.5 && tone_levels_per_percent(tone) < 2);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tone_ends),        cmocka_unit_test(test_tone_rises),
-        cmocka_unit_test(test_tone_values),      cmocka_unit_test(test_sun_pixels_text),
-        cmocka_unit_test(test_sun_pixels_round), cmocka_unit_test(test_sun_pixels_refused),
+        cmocka_unit_test(test_tone_ends),          cmocka_unit_test(test_tone_rises),
+        cmocka_unit_test(test_tone_values),        cmocka_unit_test(test_tone_table),
+        cmocka_unit_test(test_sun_pixels_text),    cmocka_unit_test(test_sun_pixels_round),
+        cmocka_unit_test(test_sun_pixels_refused),
     };
     return cmocka_run_group_tests_name("tone", tests, NULL, NULL);
 }

@@ -100,11 +100,17 @@ static void test_words(void **state) {
                         .prepared = 1,
                         .coarseness = 1,
                         .paths_per_second = 7.2e6,
-                        .error_percent = 1.04};
+                        .error_percent = 1.04,
+                        .error_levels = 2.31,
+                        .worst_levels = 5.12};
     PixelFigures pixel = {.known = true, .x = 3, .y = 4, .place = 2};
     char text[320];
     figures_side(&side, text, sizeof text);
-    assert_string_equal(text, "table, cosine\n80 samples in 2.2 s, 7.2 Mpaths/s\nerror about 1.04 %");
+    assert_string_equal(text, "table, cosine\n80 samples in 2.2 s, 7.2 Mpaths/s\nerror about 1.04 %\n"
+                              "2.3 of 255 levels, 5.1 in the worst tile");
+    side.error_levels = NAN;
+    figures_levels(&side, text, sizeof text);
+    assert_string_equal(text, "");
     side.error_percent = NAN;
     figures_error(&side, text, sizeof text);
     assert_string_equal(text, "error not yet known");

@@ -1,4 +1,5 @@
 // The film's part of a pass: it adds one group of samples to each pixel. See src/gl/film.h for what the textures hold.
+#include "math/finite.glsl"
 #include "pass/film_samples.glsl"
 
 // It is 0, but the compiler cannot see that.
@@ -13,7 +14,8 @@ vec3 film_opaque(vec3 v) {
     return uintBitsToFloat(floatBitsToUint(v) ^ uvec3(film_zero));
 }
 
-// `group` is the sum of the radiances of the accepted samples, and in alpha their number.
+// `group` is the sum of the radiances of the accepted samples, and in alpha their number. A group that would make the pixel's sum too
+// large for a float is left out, and counts as rejected.
 void film_add(vec4 group, float rejected) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 sum = texelFetch(film_sum, pixel, 0);
@@ -25,6 +27,8 @@ void film_add(vec4 group, float rejected) {
     vec3 lost = (sum.rgb - film_opaque(next - added)) + (group.rgb - added);
     vec3 small = rest.rgb + lost;
     vec3 total = film_opaque(next + small);
-    film_sum_next = vec4(total, sum.a + group.a);
-    film_rest_next = vec4(small - film_opaque(total - next), rest.a + rejected);
+    bool fits = is_finite(total);
+    film_sum_next = fits ? vec4(total, sum.a + group.a) : sum;
+    film_rest_next =
+        fits ? vec4(small - film_opaque(total - next), rest.a + rejected) : vec4(rest.rgb, rest.a + rejected + group.a);
 }

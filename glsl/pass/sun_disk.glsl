@@ -28,6 +28,10 @@ vec3 sun_point(vec2 u) {
     return cone_sample(sun_disk(), u);
 }
 
+vec3 sun_middle() {
+    return sun_disk_middle;
+}
+
 float sun_solid_angle() {
     return 2.0 * PI * sun_disk_one_less_cos;
 }
@@ -41,9 +45,18 @@ bool sun_is_near(vec3 direction) {
     return dot(direction, sun_disk_middle) > SUN_NEAR_COS;
 }
 
-// The radiance of the cone if the disk's light came evenly from it. Of a low sun's cone, the part below the horizon is left out.
-vec3 sun_spread() {
+// The solid angle of the cone, sr. Of a low sun's cone, the part below the horizon is left out.
+float sun_near_solid_angle() {
     float above = clamp(0.5 + 0.5 * sun_disk_middle.y / SUN_NEAR_SIN, 0.1, 1.0);
-    vec3 irradiance = sun_solid_angle() * textureLod(sun_disk_table, vec2(0.7, 0.5), 0.0).rgb;
-    return irradiance / (2.0 * PI * (1.0 - SUN_NEAR_COS) * above);
+    return 2.0 * PI * (1.0 - SUN_NEAR_COS) * above;
+}
+
+// The irradiance of a surface that faces the disk.
+vec3 sun_irradiance() {
+    return sun_solid_angle() * textureLod(sun_disk_table, vec2(0.7, 0.5), 0.0).rgb;
+}
+
+// The radiance of the cone if the disk's light came evenly from it.
+vec3 sun_spread() {
+    return sun_irradiance() / sun_near_solid_angle();
 }

@@ -33,10 +33,12 @@ struct SunState {
     float chance;
     // The kind of the material that throws this light.
     int thrower;
+    // The density, 1/sr, with which a path that finds this light takes the sun's direction: high if the light is narrow.
+    float peak;
 };
 
 SunState sun_start() {
-    return SunState(SUN_PICTURED, false, 0.0, 0);
+    return SunState(SUN_PICTURED, false, 0.0, 0, 0.0);
 }
 
 // The radiance that `hit` reflects directly from the sun back along `incoming`, including light that comes by way of at most

@@ -2,18 +2,17 @@
 // With a larger disk it is the reference for `sampled`.
 #include "sun/ask.glsl"
 #include "sun/disk.glsl"
+#include "sun/near.glsl"
 
 vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
     return vec3(0.0);
 }
 
 SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
-    return SunState(SUN_CHANCE, true, 1.0, 0);
+    bool scattered = state.scattered || bounce.pdf > 0.0;
+    return SunState(SUN_CHANCE, scattered, 1.0, material.kind, 1.0 / sun_solid_angle());
 }
 
 vec3 sun_escaped(SunState state, vec3 direction) {
     return sun_radiance(direction);
-}
-
-void sun_count(SunState state, vec3 throughput, vec3 direction, vec3 disk) {
 }

@@ -9,5 +9,14 @@ vec3 sun_point(vec2 u);
 // The disk's solid angle, sr. It is one over the density of the directions of sun_point().
 float sun_solid_angle();
 
-// Whether a direction is in the wide cone around the disk that stands for the disk where light is left to chance.
+// Toward the disk's middle, a unit vector.
+vec3 sun_middle();
+
+// The irradiance of a surface that faces the disk.
+vec3 sun_irradiance();
+
+// The solid angle, sr, of the wide cone around the disk that stands for the disk where light is left to chance.
+float sun_near_solid_angle();
+
+// Whether a direction is in that cone.
 bool sun_is_near(vec3 direction);

@@ -3,10 +3,13 @@
 // there may be of it is counted.
 #include "light/through.glsl"
 #include "sun/ask.glsl"
-#include "sun/count.glsl"
 #include "sun/disk.glsl"
+#include "sun/near.glsl"
 #include <mirrors>
 #include <planes>
+
+// Whether the last ray to the disk arrived.
+bool sun_arrived = false;
 
 vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
     vec2 u = sequence_pair(sequence);
@@ -17,6 +20,7 @@ vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT
     if (max(value.x, max(value.y, value.z)) > 0.0) {
         reflected = value * irradiance * light_arriving(ray_from(hit, toward));
     }
+    sun_arrived = max(reflected.x, max(reflected.y, reflected.z)) > 0.0;
     if (mirrors > 0) {
         reflected += mirrors_reflect(hit, material, incoming, toward, irradiance, sequence);
         reflected += planes_reflect(hit, material, incoming, toward, mirrors, sequence);
@@ -35,16 +39,23 @@ int sun_found(int found, Hit hit, Material material, vec3 incoming, Bounce bounc
 }
 
 // A glossy surface leaves sunlight to chance too. Its ray to the sun brings much light, but only if the path came to one of the few
-// points from which the sun is in the lobe. After a surface that scatters widely, a path gets to such a point only by luck.
+// points from which the sun is in the lobe. After a surface that scatters widely, a path gets to such a point only by luck. It has
+// found the light if the lobe is about as dense toward the sun as toward the bounce.
 SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
     SunState next = state;
     next.found = sun_found(state.found, hit, material, incoming, bounce);
     if (bounce.pdf > 0.0) {
         float throws = material_throws(material);
+        bool lit = state.scattered && throws > 0.0 && sun_arrived;
+        if (lit && material_pdf(material, hit.normal, incoming, sun_middle()) > 0.25 * bounce.pdf) {
+            chance_met |= chance_bit(material.kind);
+        }
         next.chance = state.scattered ? throws : 0.0;
+        next.peak = sun_peak(bounce.pdf);
         next.scattered = state.scattered || throws < 1.0;
-    } else {
-        next.chance = next.found == SUN_CHANCE ? 1.0 : state.chance;
+    } else if (next.found == SUN_CHANCE) {
+        next.chance = 1.0;
+        next.peak = 1.0 / sun_solid_angle();
     }
     next.thrower = bounce.pdf > 0.0 || next.found == SUN_CHANCE ? material.kind : state.thrower;
     return next;
@@ -52,16 +63,4 @@ SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incom
 
 vec3 sun_escaped(SunState state, vec3 direction) {
     return state.found == SUN_CHANCE || state.found == SUN_SHOWN ? sun_radiance(direction) : vec3(0.0);
-}
-
-// The number of paths that find the sun says nothing about light that few paths can find. So the sun is spread over a wide cone
-// with the same irradiance. The light that the paths would bring from there is about the light that is left to chance, and to count
-// it takes no luck.
-void sun_count(SunState state, vec3 throughput, vec3 direction, vec3 disk) {
-    bool counts = state.chance > 0.0;
-    bool near = counts && sun_is_near(direction);
-    chance_paths += counts ? 1.0 : 0.0;
-    chance_near += near ? state.chance * throughput : vec3(0.0);
-    chance_found += counts ? throughput * disk : vec3(0.0);
-    chance_materials |= near ? 1 << min(state.thrower, CHANCE_MATERIALS - 1) : 0;
 }

@@ -18,6 +18,8 @@ typedef enum Status {
     STATUS_OUTPUT = 5,
     /* The comparison of `compare` is past its bound. */
     STATUS_COMPARISON = 6,
+    /* The picture is written, but the error that `--error` asked for is not promised. */
+    STATUS_UNPROMISED = 7,
     /* Interrupted by the user; the picture is saved. */
     STATUS_INTERRUPTED = 130
 } Status;

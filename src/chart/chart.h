@@ -1,6 +1,6 @@
 /* The three charts. Each is measured on this machine, written into a CSV, and drawn from the CSV:
  *
- *   chart_paths  seconds against relRMSE of a scene's picture, for sky, light and sequence methods
+ *   chart_paths  seconds against the error of a scene's picture, for sky, light and sequence methods
  *   chart_sky    nanoseconds of a sky's lookup against the error of its radiance; under an air with further
  *                orders also seconds to fill their tables against that error
  *   chart_scale  seconds against pixels, samples, depth and the number of shapes
@@ -8,7 +8,7 @@
 #pragma once
 
 #include "chart/monitor.h"
-#include "render/renderer.h"
+#include "error/promise.h"
 
 typedef struct ChartParams {
     const Context *context;
@@ -20,8 +20,8 @@ typedef struct ChartParams {
     const char *identity;
     /* About how long to measure. A chart that is complete already takes no time. */
     double seconds;
-    /* The choice of auto is marked at this error. */
-    double error_percent;
+    /* The choice of auto is marked at this error, and errors of pictures are drawn in its measure. */
+    ErrorTarget target;
     Monitor monitor;
     /* Gets the findings, and the names of files that were set aside, a line each. */
     Text *said;

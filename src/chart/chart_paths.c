@@ -92,7 +92,7 @@ static bool open_ledger(Paths *paths, Error *error) {
     text_print(&identity, "%s", params->identity);
     identity_of_picture(&params->picture, &identity);
     text_print(&identity, "# shaders %016" PRIx64 "\n", hash);
-    char *path = chart_path(params, "paths.csv");
+    char *path = chart_path(params, paths_in_levels(paths) ? "paths-levels.csv" : "paths.csv");
     ok = ok && ledger_open(&paths->ledger, path, text_string(&identity), CURVE_WORDS, CURVE_COLUMNS,
                            params->said, error);
     free(path);
@@ -134,8 +134,8 @@ static bool open_curves(Paths *paths, Error *error) {
     for (int i = 0; i < paths->count && !monitor_stopped(&params->monitor); i++) {
         Drawn *drawn = &paths->curves[i];
         monitor_report(&params->monitor, reference_share, "compiling");
-        if (!curve_open(&drawn->curve, &drawn->combination, params->context, &params->picture, &paths->ledger,
-                        error))
+        if (!curve_open(&drawn->curve, &drawn->combination, params->context, &params->picture,
+                        params->target.measure, &paths->ledger, error))
             return false;
         if (is_doubled(paths, i)) curve_close(&drawn->curve);
     }
@@ -189,8 +189,10 @@ bool chart_paths(const ChartParams *params, Error *error) {
     choose_curves(paths);
     bool ok = open_ledger(paths, error) && get_reference(paths, error);
     if (ok && !monitor_stopped(&params->monitor)) {
-        text_print(params->said, "reference: relRMSE %.3g %% by its two halves%s\n",
-                   paths->reference.error_percent, paths->reference.kept ? ", kept from before" : "");
+        text_print(params->said, "reference: %s %.3g%s by its two halves%s\n",
+                   paths_in_levels(paths) ? "RMS" : "relRMSE", paths_noise(paths),
+                   paths_in_levels(paths) ? " levels" : " %",
+                   paths->reference.kept ? ", kept from before" : "");
         ok = measure(paths, error);
     }
     if (ok && !monitor_stopped(&params->monitor)) ok = paths_draw(paths, error);

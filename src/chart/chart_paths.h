@@ -34,6 +34,9 @@ typedef struct Paths {
     Ledger ledger;
 } Paths;
 
+/* Whether errors are in levels. */
+bool paths_in_levels(const Paths *paths);
+
 /* Returns the reference's noise, measured in the same way as the errors of the curves. */
 double paths_noise(const Paths *paths);
 

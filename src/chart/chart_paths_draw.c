@@ -9,8 +9,15 @@
 #include <string.h>
 
 double paths_noise(const Paths *paths) {
-    const Reference *reference = &paths->reference;
-    return paths->curves[0].curve.trimmed ? reference->trimmed_percent : reference->error_percent;
+    return paths->reference.noise[paths->params->target.measure];
+}
+
+bool paths_in_levels(const Paths *paths) {
+    return paths->params->target.measure == NOISE_LEVELS;
+}
+
+static const char *unit(const Paths *paths) {
+    return paths_in_levels(paths) ? "levels" : "%";
 }
 
 static ParetoCurve points_of(const Drawn *drawn) {
@@ -36,7 +43,8 @@ static void draw_panel(const Paths *paths, Plot *plot, int which, const char *ti
     PlotPanel *panel = &plot->panels[plot->panel_count];
     snprintf(panel->title, sizeof panel->title, "%s", title);
     snprintf(panel->x_label, sizeof panel->x_label, "seconds of rendering");
-    snprintf(panel->y_label, sizeof panel->y_label, "relRMSE, %%");
+    snprintf(panel->y_label, sizeof panel->y_label, "%s, %s", paths_in_levels(paths) ? "RMS" : "relRMSE",
+             unit(paths));
     for (int i = 0; i < paths->count; i++) {
         const Drawn *curve = &paths->curves[i];
         char label[112];
@@ -74,8 +82,8 @@ static void say_auto(const Paths *paths, const Drawn *automatic, const Drawn *fi
     Text *said = paths->params->said;
     text_print(said, "auto, ");
     print_methods(automatic, said);
-    text_print(said, ": %.3g %%%s in %.3g s, %.2f times the quickest, ", percent,
-               percent > paths->params->error_percent ? ", the least measured," : "", seconds,
+    text_print(said, ": %.3g %s%s in %.3g s, %.2f times the quickest, ", percent, unit(paths),
+               percent > paths->params->target.amount ? ", the least measured," : "", seconds,
                seconds / least);
     print_methods(first, said);
     text_print(said, "\n");
@@ -85,7 +93,7 @@ static void say_auto(const Paths *paths, const Drawn *automatic, const Drawn *fi
  * from the front. */
 static void mark_auto(const Paths *paths, Plot *plot) {
     const Drawn *automatic = &paths->curves[0], *first = automatic;
-    double percent = paths->params->error_percent;
+    double percent = paths->params->target.amount;
     if (!automatic->count) return;
     ParetoCurve curve = points_of(automatic);
     if (!(pareto_seconds(&curve, percent) < INFINITY)) percent = curve.points[curve.count - 1].percent;
@@ -95,7 +103,8 @@ static void mark_auto(const Paths *paths, Plot *plot) {
     for (int i = 0; i < plot->panel_count; i++) {
         PlotPanel *panel = &plot->panels[i];
         panel->ring = (PlotPoint){.x = seconds, .y = percent};
-        snprintf(panel->ring_label, sizeof panel->ring_label, "auto: %.2g %% in %.2g s", percent, seconds);
+        snprintf(panel->ring_label, sizeof panel->ring_label, "auto: %.2g %s in %.2g s", percent, unit(paths),
+                 seconds);
     }
 }
 
@@ -106,16 +115,16 @@ bool paths_draw(const Paths *paths, Error *error) {
     chart_describe(params, &words);
     snprintf(plot->title, sizeof plot->title, "Speed against accuracy: %s", text_string(&words));
     snprintf(plot->subtitle, sizeof plot->subtitle,
-             "%s against a converged picture (its own noise %.2g %%); %s",
-             paths->curves[0].curve.trimmed ? "relRMSE without the 0.1 % worst pixels" : "relRMSE",
-             paths_noise(paths), params->context->renderer);
+             "%s against a converged picture (its own noise %.2g %s); %s",
+             paths_in_levels(paths) ? "RMS of the picture as it is shown" : "relRMSE", paths_noise(paths),
+             unit(paths), params->context->renderer);
     plot->same_axes = true;
     char lights[96];
     snprintf(lights, sizeof lights, "Light, sampling, sequence; %s", paths->curves[0].curve.row.words[0]);
     draw_panel(paths, plot, PANEL_LIGHTS, lights);
     draw_panel(paths, plot, PANEL_SKIES, "Skies, by cosine, evenly");
     mark_auto(paths, plot);
-    char *path = chart_path(params, "paths");
+    char *path = chart_path(params, paths_in_levels(paths) ? "paths-levels" : "paths");
     bool ok = plot_write(plot, path, error);
     free(path);
     text_free(&words);

@@ -8,10 +8,10 @@
 #include <string.h>
 
 /* The numbers of a row. LAST is 1 at the end of a curve. */
-enum { SAMPLES, SECONDS, PERCENT, LAST };
+enum { SAMPLES, SECONDS, ERROR, LAST };
 
 enum { MOST_GOALS = 16 };
-static const double first_goal_percent = 16;
+static const double first_goal = 16;
 
 static void name(const Renderer *renderer, bool adaptive, LedgerRow *row) {
     *row = (LedgerRow){0};
@@ -23,7 +23,7 @@ static void name(const Renderer *renderer, bool adaptive, LedgerRow *row) {
 
 /* Says whether another point, with twice the samples, would be past the limits. */
 static bool is_last(const LedgerRow *row, const CurveLimits *limits) {
-    return 2 * row->numbers[SECONDS] > limits->seconds || row->numbers[PERCENT] < limits->least_percent;
+    return 2 * row->numbers[SECONDS] > limits->seconds || row->numbers[ERROR] < limits->least_error;
 }
 
 static bool is_whole(const Ledger *ledger, const LedgerRow *row) {
@@ -34,7 +34,7 @@ static bool is_whole(const Ledger *ledger, const LedgerRow *row) {
 }
 
 bool curve_open(Curve *curve, const Combination *combination, const Context *context,
-                const RenderParams *params, Ledger *ledger, Error *error) {
+                const RenderParams *params, NoiseMeasure measure, Ledger *ledger, Error *error) {
     RenderParams mine = *params;
     *curve = (Curve){0};
     mine.sky = combination->sky;
@@ -44,7 +44,8 @@ bool curve_open(Curve *curve, const Combination *combination, const Context *con
     if (!renderer_create(&curve->renderer, context, &mine, error)) return false;
     curve->open = true;
     curve->adaptive = combination->adaptive;
-    curve->trimmed = curve->renderer.image.where.count > 0;
+    curve->measure = measure;
+    curve->exposure_ev = params->scene->values.exposure_ev;
     name(&curve->renderer, combination->adaptive, &curve->row);
     if (is_whole(ledger, &curve->row)) {
         curve_close(curve);
@@ -75,7 +76,7 @@ static bool judge(const Curve *curve, const Reference *reference, LedgerRow *row
     Image image = {0};
     FilmCount count;
     bool ok = film_read(&curve->renderer.film, &image, &count, error) &&
-              reference_error(reference, &image, curve->trimmed, &row->numbers[PERCENT], error);
+              reference_error(reference, &image, curve->measure, &row->numbers[ERROR], error);
     image_free(&image);
     return ok;
 }
@@ -129,7 +130,8 @@ static bool judge_goal(Curve *curve, const Adaptive *adaptive, const Reference *
  * `most` rounds. */
 static bool sample_to(Goals *goals, Adaptive *adaptive, Renderer *renderer, double goal, int most,
                       const Monitor *monitor, Error *error) {
-    while (!(adaptive_percent(adaptive) <= goal) && adaptive->rounds < most && !monitor_stopped(monitor)) {
+    while (!(adaptive_error(adaptive, adaptive->measure) <= goal) && adaptive->rounds < most &&
+           !monitor_stopped(monitor)) {
         if (!time_round(goals, adaptive, renderer, goal, monitor, error)) return false;
     }
     return true;
@@ -142,10 +144,12 @@ static bool run_adaptive(Curve *curve, const Reference *reference, const CurveLi
     Goals *goals = &curve->goals;
     film_reset(&renderer->film);
     renderer->gl->Finish();
-    Adaptive adaptive = adaptive_create(renderer, curve->trimmed ? NOISE_SUN_TRIM : 0);
+    ToneTable tone = tone_table(TONE_AUTHOR, exp2(curve->exposure_ev));
+    Adaptive adaptive =
+        adaptive_create(renderer, curve->measure, curve->measure == NOISE_LEVELS ? &tone : NULL);
     int most = reference ? CURVE_MOST_ROUNDS : goals->round_count;
     bool ok = true, done = false;
-    double goal = first_goal_percent;
+    double goal = first_goal;
     for (int i = 0; i < MOST_GOALS && ok && !done && !monitor_stopped(monitor); i++, goal /= 2) {
         int before = adaptive.rounds;
         ok = sample_to(goals, &adaptive, renderer, goal, most, monitor, error);
@@ -192,8 +196,8 @@ int curve_points(const Ledger *ledger, const LedgerRow *row, ParetoPoint points[
     int count = 0;
     for (int i = 0; i < ledger->count && count < CURVE_MOST_POINTS; i++) {
         const LedgerRow *at = &ledger->rows[i];
-        if (!ledger_same(ledger, at, row) || !(at->numbers[PERCENT] > 0)) continue;
-        points[count++] = (ParetoPoint){at->numbers[SECONDS], at->numbers[PERCENT]};
+        if (!ledger_same(ledger, at, row) || !(at->numbers[ERROR] > 0)) continue;
+        points[count++] = (ParetoPoint){at->numbers[SECONDS], at->numbers[ERROR]};
     }
     return count;
 }

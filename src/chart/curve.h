@@ -1,7 +1,7 @@
 /* Error against time of one combination of methods, as rows of a ledger.
  *
  * The points of an even curve are at 1, 2, 4, ... samples a pixel. The points of an adaptive curve are where
- * adaptive sampling estimates its error to be 16, 8, 4, ... percent. */
+ * adaptive sampling estimates its error to be 16, 8, 4, ... percent, or levels. */
 #pragma once
 
 #include "chart/ledger.h"
@@ -9,7 +9,7 @@
 #include "chart/reference.h"
 #include "chart/stopwatch.h"
 
-#define CURVE_COLUMNS "sky,light,sequence,sampling,samples,seconds,relrmse_percent,last"
+#define CURVE_COLUMNS "sky,light,sequence,sampling,samples,seconds,error,last"
 enum { CURVE_WORDS = 4, CURVE_MOST_POINTS = 32, CURVE_MOST_ROUNDS = 64 };
 
 /* The names of methods. NULL is auto. */
@@ -23,7 +23,7 @@ typedef struct CurveLimits {
     /* The curve has no point after this time. */
     double seconds;
     /* The curve ends at the first point below this error. */
-    double least_percent;
+    double least_error;
 } CurveLimits;
 
 /* The results of adaptive sampling. All runs are the same to the bit. The errors therefore come from the
@@ -44,9 +44,10 @@ typedef struct Curve {
     /* Its words are the names of the methods in full. */
     LedgerRow row;
     bool open, adaptive;
-    /* Whether the worst 0.1 % of the pixels are left out of errors, because the sun's image is in the
-     * picture. */
-    bool trimmed;
+    /* The measure of errors. */
+    NoiseMeasure measure;
+    /* How levels are shown. */
+    double exposure_ev;
     Renderer renderer;
     /* Used by an even curve. */
     Stopwatch stopwatch;
@@ -56,10 +57,11 @@ typedef struct Curve {
     double spent;
 } Curve;
 
-/* Sets the row's words. If the ledger has the curve up to its last row, by whatever limits, the curve stays
- * closed. Otherwise its shader is compiled, and the rows of it in the ledger are dropped. */
+/* Sets the row's words. `params` and `measure` are of the picture and of its errors. If the ledger has the
+ * curve up to its last row, by whatever limits, the curve stays closed. Otherwise its shader is compiled, and
+ * the rows of it in the ledger are dropped. */
 MUST_CHECK bool curve_open(Curve *curve, const Combination *combination, const Context *context,
-                           const RenderParams *params, Ledger *ledger, Error *error);
+                           const RenderParams *params, NoiseMeasure measure, Ledger *ledger, Error *error);
 void curve_close(Curve *curve);
 
 /* Times an open curve once more. Call it at least once, in alternation with other curves. */

@@ -1,13 +1,17 @@
 #include "chart/reference.h"
 
 #include "base/clock.h"
+#include "base/memory.h"
 #include "base/number.h"
 #include "image/compare.h"
 #include "image/exr_attribute.h"
 #include "image/format.h"
+#include "image/sun_pixels.h"
+#include "render/chance.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* This is far from the seeds of users, who count from 0. */
@@ -39,9 +43,22 @@ typedef struct Maker {
     const RenderParams *params;
     const Monitor *monitor;
     Paths paths;
+    unsigned char *sun;
     /* In seconds. */
     double done, whole;
 } Maker;
+
+/* Adds the pixels of the sun's own image, which any part may have found. */
+static bool mark_sun(Maker *maker, const Renderer *renderer, Error *error) {
+    const Film *film = &renderer->film;
+    ChanceMap map;
+    if (!chance_map_read(&map, film, error)) return false;
+    if (!maker->sun) maker->sun = memory_get((size_t)film->width * (size_t)film->height, 1);
+    sun_image_pixels(&renderer->sun_image, film->width, maker->sun);
+    chance_image_pixels(&map, maker->sun);
+    chance_map_free(&map);
+    return true;
+}
 
 static bool render_part(Maker *maker, Part *part, Image *half, Error *error) {
     RenderParams params = *maker->params;
@@ -67,7 +84,7 @@ static bool render_part(Maker *maker, Part *part, Image *half, Error *error) {
     }
     maker->done += clock_seconds() - start;
     part->samples = renderer.film.samples;
-    ok = ok && film_read(&renderer.film, &image, &count, error);
+    ok = ok && mark_sun(maker, &renderer, error) && film_read(&renderer.film, &image, &count, error);
     size_t values = ok ? 4 * (size_t)image.width * (size_t)image.height : 0;
     if (ok && !half->rgba) *half = image_create(image.width, image.height);
     for (size_t i = 0; i < values; i++) half->rgba[i] += (float)part->weight * image.rgba[i];
@@ -98,61 +115,99 @@ static bool render_half(Maker *maker, unsigned seed, double seconds, Image *half
     return monitor_stopped(maker->monitor) || render_part(maker, &same, half, error);
 }
 
+/* Compares without the pixels of the sun's own image, unless these are all. */
+static bool compare(const Reference *reference, const Image *a, const Image *b, Comparison *between,
+                    Error *error) {
+    size_t pixels = (size_t)b->width * (size_t)b->height, sun = 0;
+    for (size_t i = 0; i < pixels; i++) sun += reference->sun[i];
+    CompareOptions options = {.sun = sun < pixels ? reference->sun : NULL,
+                              .tone = TONE_AUTHOR,
+                              .exposure_ev = reference->exposure_ev};
+    return compare_images(a, b, &options, between, error);
+}
+
 static bool make(Reference *reference, Maker *maker, double seconds, Error *error) {
     Image other = {0};
     Comparison between;
+    reference->exposure_ev = maker->params->scene->values.exposure_ev;
     maker->whole = seconds;
     bool ok = render_half(maker, FIRST_SEED, seconds / 2, &reference->image, error) &&
               render_half(maker, FIRST_SEED + 2, seconds / 2, &other, error);
     if (ok && monitor_stopped(maker->monitor)) {
         image_free(&reference->image);
     } else if (ok) {
-        ok = compare_images(&reference->image, &other, NULL, &between, error);
+        reference->sun = maker->sun;
+        maker->sun = NULL;
+        ok = compare(reference, &reference->image, &other, &between, error);
         /* The error of the mean of two halves is half of their difference. */
-        reference->error_percent = between.rel_rmse_percent / 2;
-        reference->trimmed_percent = between.trimmed_percent / 2;
+        reference->noise[NOISE_RADIANCE] = between.rel_rmse_percent / 2;
+        reference->noise[NOISE_LEVELS] = between.levels.rms / 2;
         size_t values = 4 * (size_t)other.width * (size_t)other.height;
         for (size_t i = 0; i < values; i++)
             reference->image.rgba[i] = 0.5F * (reference->image.rgba[i] + other.rgba[i]);
     }
     image_free(&other);
+    free(maker->sun);
+    return ok;
+}
+
+/* The names of the metadata that hold a reference's noise. */
+static const char *const noise_names[NOISE_MEASURES] = {"magichour.error_percent", "magichour.error_levels"};
+
+static bool read_number(const char *path, const char *name, double *number) {
+    Text text = {0};
+    bool ok = exr_attribute(path, name, &text) && number_parse(text_string(&text), number);
+    text_free(&text);
+    return ok;
+}
+
+static bool read_sun(Reference *reference, const char *path) {
+    const Image *image = &reference->image;
+    Text text = {0};
+    Error ignored;
+    reference->sun = memory_get((size_t)image->width * (size_t)image->height, 1);
+    bool ok = !exr_attribute(path, SUN_PIXELS_ATTRIBUTE, &text) ||
+              sun_pixels_parse(text_string(&text), reference->sun, image->width, image->height, &ignored);
+    text_free(&text);
     return ok;
 }
 
 static bool read_kept(Reference *reference, const char *path, const char *identity) {
-    Text there = {0}, percent = {0}, trimmed = {0};
+    Text there = {0};
     Error ignored;
     bool fits = exr_attribute(path, "magichour.chart", &there) &&
                 strcmp(text_string(&there), identity) == 0 &&
-                exr_attribute(path, "magichour.error_percent", &percent) &&
-                number_parse(text_string(&percent), &reference->error_percent) &&
-                exr_attribute(path, "magichour.trimmed_percent", &trimmed) &&
-                number_parse(text_string(&trimmed), &reference->trimmed_percent) &&
-                image_read(&reference->image, path, &ignored);
+                read_number(path, noise_names[NOISE_RADIANCE], &reference->noise[NOISE_RADIANCE]) &&
+                read_number(path, noise_names[NOISE_LEVELS], &reference->noise[NOISE_LEVELS]) &&
+                image_read(&reference->image, path, &ignored) && read_sun(reference, path);
     text_free(&there);
-    text_free(&percent);
-    text_free(&trimmed);
     return fits;
 }
 
 static bool keep(const Reference *reference, const char *path, const char *identity, Error *error) {
     AttributeList list = {0};
+    Text sun = {0};
     attribute_add(&list, "magichour.chart", "%s", identity);
-    attribute_add(&list, "magichour.error_percent", "%.6g", reference->error_percent);
-    attribute_add(&list, "magichour.trimmed_percent", "%.6g", reference->trimmed_percent);
+    attribute_add(&list, "magichour.exposure", "%.9g", reference->exposure_ev);
+    for (int i = 0; i < NOISE_MEASURES; i++)
+        attribute_add(&list, noise_names[i], "%.6g", reference->noise[i]);
+    sun_pixels_print(reference->sun, reference->image.width, reference->image.height, &sun);
+    if (*text_string(&sun)) attribute_add(&list, SUN_PIXELS_ATTRIBUTE, "%s", text_string(&sun));
     bool ok = image_write(&reference->image, path, &(ImageWriteParams){.attributes = &list}, error);
     attribute_list_free(&list);
+    text_free(&sun);
     return ok;
 }
 
 bool reference_get(Reference *reference, const char *path, const char *identity, const Context *context,
                    const RenderParams *params, double seconds, const Monitor *monitor, Error *error) {
     Maker maker = {.context = context, .params = params, .monitor = monitor};
-    *reference = (Reference){0};
+    *reference = (Reference){.exposure_ev = params->scene->values.exposure_ev};
     if (read_kept(reference, path, identity)) {
         reference->kept = true;
         return true;
     }
+    reference_free(reference);
     if (make(reference, &maker, seconds, error) &&
         (!reference->image.rgba || keep(reference, path, identity, error)))
         return true;
@@ -162,17 +217,18 @@ bool reference_get(Reference *reference, const char *path, const char *identity,
 
 void reference_free(Reference *reference) {
     image_free(&reference->image);
+    free(reference->sun);
     *reference = (Reference){0};
 }
 
-bool reference_error(const Reference *reference, const Image *image, bool trimmed, double *percent,
+bool reference_error(const Reference *reference, const Image *image, NoiseMeasure measure, double *value,
                      Error *error) {
     Comparison between;
-    if (!compare_images(image, &reference->image, NULL, &between, error)) return false;
+    if (!compare(reference, image, &reference->image, &between, error)) return false;
     if (between.nonfinite)
         return error_set(error, STATUS_FAILURE, "%ld pixels are not finite", between.nonfinite);
-    double measured = trimmed ? between.trimmed_percent : between.rel_rmse_percent;
-    double noise = trimmed ? reference->trimmed_percent : reference->error_percent;
-    *percent = sqrt(fmax(measured * measured - noise * noise, 0));
+    double measured = measure == NOISE_LEVELS ? between.levels.rms : between.rel_rmse_percent;
+    double noise = reference->noise[measure];
+    *value = sqrt(fmax(measured * measured - noise * noise, 0));
     return true;
 }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "chart/monitor.h"
+#include "error/noise.h"
 #include "render/renderer.h"
 
 /* The most exact method for the sky in a shader. All others, and the table, are compared with it. */
@@ -16,10 +17,11 @@
 
 typedef struct Reference {
     Image image;
-    /* The estimated relRMSE of the noise that is left. */
-    double error_percent;
-    /* The same, without the worst 0.1 % of the pixels. */
-    double trimmed_percent;
+    /* 1 for each pixel that holds the sun's own image; no error counts these. */
+    unsigned char *sun;
+    /* The estimated noise that is left: the relRMSE in percent, and the RMS in levels. */
+    double noise[NOISE_MEASURES];
+    double exposure_ev;
     /* Whether the file existed already. */
     bool kept;
 } Reference;
@@ -32,8 +34,7 @@ MUST_CHECK bool reference_get(Reference *reference, const char *path, const char
                               const Monitor *monitor, Error *error);
 void reference_free(Reference *reference);
 
-/* Measures the relRMSE of a picture in percent, without the part that is the reference's own noise. If
- * `trimmed` is set, the worst 0.1 % of the pixels are left out, as for pictures with the sun's image. Fails
- * with STATUS_FAILURE if a pixel is not finite. */
-MUST_CHECK bool reference_error(const Reference *reference, const Image *image, bool trimmed, double *percent,
-                                Error *error);
+/* Measures the error of a picture, relRMSE in percent or RMS in levels, without the part that is the
+ * reference's own noise. Fails with STATUS_FAILURE if a pixel is not finite. */
+MUST_CHECK bool reference_error(const Reference *reference, const Image *image, NoiseMeasure measure,
+                                double *value, Error *error);

@@ -75,7 +75,8 @@ static bool prepare(Job *job, Error *error) {
 static bool make_charts(Job *job, Error *error) {
     const Options *options = job->options;
     double seconds = options->seconds > 0 ? options->seconds : default_seconds, whole = 0, done = 0;
-    double percent = options->error_percent > 0 ? options->error_percent : AUTO_ERROR_PERCENT;
+    ErrorTarget usual = {.amount = AUTO_ERROR_PERCENT};
+    ErrorTarget target = options->error.amount > 0 ? options->error : usual;
     ChartParams params = {.context = &job->context,
                           .picture = {.scene = &job->scene,
                                       .further = options->further,
@@ -83,10 +84,10 @@ static bool make_charts(Job *job, Error *error) {
                                       .width = options->width ? options->width : DEFAULT_SIDE,
                                       .height = options->height ? options->height : DEFAULT_SIDE,
                                       .max_hits = options->depth,
-                                      .error_percent = percent},
+                                      .error_percent = target_percent(target, TONE_AUTHOR)},
                           .folder = options->outputs[0],
                           .identity = text_string(&job->identity),
-                          .error_percent = percent,
+                          .target = target,
                           .said = &job->said};
     Monitor all = {interrupt_requested, gauge_report, &job->gauge, 0, 1};
     for (int i = 0; i < CHARTS; i++) whole += job->wanted[i] ? charts[i].share : 0;

@@ -36,7 +36,7 @@ static bool prepare(Job *job, Error *error) {
         !setup_scene(options, job->library, &job->scene, error))
         return false;
     if (options->width && !scene_check_size(options->width, options->height, error)) return false;
-    job->percent = options->error_percent > 0 ? options->error_percent : AUTO_ERROR_PERCENT;
+    job->percent = options->error.amount > 0 ? options->error.amount : AUTO_ERROR_PERCENT;
     job->params = (RenderParams){.scene = &job->scene,
                                  .further = options->further,
                                  .sun_disk = options->sun_disk,

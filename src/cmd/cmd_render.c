@@ -1,6 +1,5 @@
 #include "base/clock.h"
 #include "base/file.h"
-#include "base/version.h"
 #include "choice/auto.h"
 #include "cmd/cmd.h"
 #include "cmd/interrupt.h"
@@ -8,11 +7,8 @@
 #include "cmd/setup.h"
 #include "image/format.h"
 #include "render/chance.h"
-#include "render/describe.h"
 
-#include <inttypes.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,6 +43,10 @@ static bool prepare_tables(RenderJob *job, const RenderParams *params, Error *er
     return true;
 }
 
+static Tone tone_of(const Options *options) {
+    return options->tone && strcmp(options->tone, "none") == 0 ? TONE_NONE : TONE_AUTHOR;
+}
+
 static bool prepare(RenderJob *job, Error *error) {
     const Options *options = job->options;
     if (!check_outputs(options, error) || !check_aov(options, &job->aov_kinds, error) ||
@@ -66,10 +66,10 @@ static bool prepare(RenderJob *job, Error *error) {
                            .seed = options->seed,
                            .max_hits = options->depth,
                            .samples = options->samples,
-                           .error_percent = options->error_percent,
+                           .error_percent = target_percent(options->error, tone_of(options)),
                            .variance = job->aov_kinds & AOV_VARIANCE,
                            .in_steps = true};
-    if (options->error_percent > 0 && options->samples) {
+    if (options->error.amount > 0 && options->samples) {
         return error_set(error, STATUS_USAGE,
                          "--error takes as many samples as it needs, --spp takes so many: one of them");
     }
@@ -79,45 +79,56 @@ static bool prepare(RenderJob *job, Error *error) {
            aov_create(&job->aov, job->aov_kinds, &job->context, &params, &job->renderer, error);
 }
 
-/* The error at which to stop; 0 if there is none. */
-static double wanted_error(const Options *options) {
-    if (options->error_percent > 0) return options->error_percent;
-    return options->samples || options->seconds > 0 ? 0 : AUTO_ERROR_PERCENT;
+/* The error at which to stop, if there is one. */
+static ErrorTarget target_of(const Options *options) {
+    ErrorTarget none = {0}, usual = {.amount = AUTO_ERROR_PERCENT};
+    if (options->error.amount > 0) return options->error;
+    return options->samples || options->seconds > 0 ? none : usual;
 }
 
-/* The sky's bias, or 0 if it is not known. */
-static double known_bias(const RenderJob *job) {
-    return isnan(job->renderer.sky_bias_percent) ? 0 : job->renderer.sky_bias_percent;
+double render_bias(const RenderJob *job, NoiseMeasure measure) {
+    double slope = tone_levels_per_percent(tone_of(job->options));
+    return job->renderer.sky_bias_percent * (measure == NOISE_LEVELS ? slope : 1);
+}
+
+/* The same, or 0 if it is not known. */
+static double known_bias(const RenderJob *job, NoiseMeasure measure) {
+    double bias = render_bias(job, measure);
+    return isnan(bias) ? 0 : bias;
 }
 
 /* The noise with which noise and bias together reach the target error. A bias that alone exceeds the target,
  * which a sky of the user's choice may have, is left out. */
-static double noise_left(double percent, double bias) {
-    return bias < percent ? sqrt(percent * percent - bias * bias) : percent;
+static double noise_left(double error, double bias) {
+    return bias < error ? sqrt(error * error - bias * bias) : error;
 }
 
-static bool enough(const ProgressFigures *figures) {
+static bool enough(const RenderJob *job) {
+    const ProgressFigures *figures = &job->figures;
     if (figures->target_samples && figures->samples >= (double)figures->target_samples) return true;
-    if (figures->target_error_percent > 0 && figures->noise_percent <= figures->target_noise_percent)
+    if (figures->target.amount > 0 && (figures->noise[figures->target.measure] <= figures->target_noise ||
+                                       adaptive_is_hopeless(&job->adaptive))) {
         return true;
+    }
     return figures->target_seconds > 0 && figures->seconds >= figures->target_seconds;
 }
 
 /* If only the time is limited, each group of samples aims at less error than there is. */
 static bool sample(RenderJob *job, Error *error) {
     const ProgressFigures *figures = &job->figures;
-    double percent = figures->target_noise_percent;
+    double noise = figures->target_noise;
     if (figures->target_samples)
         return adaptive_pass(&job->adaptive, &job->renderer, figures->target_samples, interrupt_requested,
                              error);
-    if (!(percent > 0)) percent = 0.7 * figures->noise_percent;
-    return adaptive_round(&job->adaptive, &job->renderer, percent, interrupt_requested, error);
+    if (!(noise > 0)) noise = 0.7 * figures->noise[figures->target.measure];
+    return adaptive_round(&job->adaptive, &job->renderer, noise, interrupt_requested, error);
 }
 
 static bool read_picture(RenderJob *job, Error *error) {
     const Film *film = &job->renderer.film;
     if (!film_read(film, &job->image, &job->count, error) || !film_read_search(film, &job->search, error) ||
-        !film_read_chance(film, &job->chance, error) || !aov_read(&job->aov, film, &job->image, error)) {
+        !chance_read_shares(&job->chance, film, &job->image, error) ||
+        !aov_read(&job->aov, film, &job->image, error)) {
         return false;
     }
     float *variance = aov_variance(&job->aov, &job->image);
@@ -128,29 +139,44 @@ static bool read_picture(RenderJob *job, Error *error) {
     return true;
 }
 
-static bool render(RenderJob *job, Error *error) {
+/* Sets the targets, and what is measured on the way. */
+static void aim(RenderJob *job, double start) {
     const Options *options = job->options;
     ProgressFigures *figures = &job->figures;
-    double pixels = (double)job->renderer.film.width * job->renderer.film.height;
-    double bias = known_bias(job), start = clock_seconds();
-    job->adaptive = adaptive_create(&job->renderer, job->renderer.image.where.count ? NOISE_SUN_TRIM : 0);
+    ErrorTarget target = target_of(options);
+    ToneTable tone = tone_table(tone_of(options), exp2(job->scene.values.exposure_ev));
+    job->adaptive =
+        adaptive_create(&job->renderer, target.measure, target.measure == NOISE_LEVELS ? &tone : NULL);
     figures->target_samples = options->samples;
     figures->target_seconds = options->seconds;
-    figures->target_error_percent = wanted_error(options);
-    figures->noise_percent = figures->error_percent = INFINITY;
-    figures->target_noise_percent = noise_left(figures->target_error_percent, bias);
+    figures->target = target;
+    figures->target_noise = noise_left(target.amount, known_bias(job, target.measure));
+    for (int i = 0; i < NOISE_MEASURES; i++) figures->noise[i] = figures->error[i] = INFINITY;
     if (options->seconds > 0) job->adaptive.deadline = start + options->seconds;
-    while (!enough(figures) && !interrupt_requested()) {
-        if (!sample(job, error)) return false;
-        figures->paths = job->adaptive.paths;
-        figures->samples = (double)figures->paths / pixels;
-        if (!aov_pass(&job->aov, &job->renderer, (uint64_t)figures->samples, interrupt_requested, error))
-            return false;
-        figures->noise_percent = adaptive_percent(&job->adaptive);
-        figures->error_percent = hypot(figures->noise_percent, bias);
-        figures->seconds = clock_seconds() - start;
-        progress_report(&job->progress, figures);
+}
+
+static void note_errors(RenderJob *job) {
+    for (NoiseMeasure i = 0; i < NOISE_MEASURES; i++) {
+        job->figures.noise[i] = adaptive_error(&job->adaptive, i);
+        job->figures.error[i] = hypot(job->figures.noise[i], known_bias(job, i));
     }
+}
+
+static void promise(RenderJob *job) {
+    ProgressFigures *figures = &job->figures;
+    NoiseMeasure measure = figures->target.measure;
+    if (!(figures->target.amount > 0)) return;
+    PromiseTerms terms = {.target = figures->target,
+                          .reached = figures->noise[measure] <= figures->target_noise,
+                          .bias = render_bias(job, measure),
+                          .interrupted = figures->interrupted,
+                          .facts = &job->scene.file->facts};
+    job->promise = promise_judge(&job->adaptive, &terms);
+    figures->promise = &job->promise;
+}
+
+static bool finish(RenderJob *job, Error *error) {
+    ProgressFigures *figures = &job->figures;
     if (!read_picture(job, error)) return false;
     /* There are fewer than samples x pixels if it was stopped early. */
     figures->paths = job->count.accepted + job->count.rejected;
@@ -163,52 +189,36 @@ static bool render(RenderJob *job, Error *error) {
     figures->search_cut = job->search.cut;
     figures->interrupted = interrupt_requested();
     figures->done = true;
+    promise(job);
     progress_report(&job->progress, figures);
     return true;
 }
 
-/* Adds the metadata from which the picture can be made again. */
-static void describe(const RenderJob *job, int argc, char **argv, AttributeList *list) {
-    Text command = {0};
-    text_print_command(&command, argc, argv);
-    attribute_add(list, "magichour.version", "%s", MAGICHOUR_VERSION);
-    attribute_add(list, "magichour.command", "%s", text_string(&command));
-    if (job->options->aov) attribute_add(list, "magichour.aov", "%s", job->options->aov);
-    attribute_add(list, "magichour.depth", "%d", job->options->depth);
-    attribute_add(list, "magichour.samples", "%.6g", job->figures.samples);
-    attribute_add(list, "magichour.samples_range", "%" PRIu64 " to %" PRIu64, job->adaptive.least,
-                  job->adaptive.most);
-    if (job->figures.sun_by_chance) attribute_add(list, "magichour.sun_by_chance", "true");
-    if (job->chance.paths > 0) {
-        attribute_add(list, "magichour.chance_paths_percent", "%.3g", 100 * job->chance.paths);
-        attribute_add(list, "magichour.chance_pixels_percent", "%.3g", 100 * job->chance.pixels);
-        attribute_add(list, "magichour.chance_light_percent", "%.3g", 100 * job->chance.light);
+static bool render(RenderJob *job, Error *error) {
+    ProgressFigures *figures = &job->figures;
+    double pixels = (double)job->renderer.film.width * job->renderer.film.height;
+    double start = clock_seconds();
+    aim(job, start);
+    while (!enough(job) && !interrupt_requested()) {
+        if (!sample(job, error)) return false;
+        figures->paths = job->adaptive.paths;
+        figures->samples = (double)figures->paths / pixels;
+        if (!aov_pass(&job->aov, &job->renderer, (uint64_t)figures->samples, interrupt_requested, error))
+            return false;
+        note_errors(job);
+        figures->seconds = clock_seconds() - start;
+        progress_report(&job->progress, figures);
     }
-    if (job->figures.error_percent < INFINITY) {
-        attribute_add(list, "magichour.error_percent", "%.4g", job->figures.error_percent);
-        attribute_add(list, "magichour.noise_percent", "%.4g", job->figures.noise_percent);
-    }
-    attribute_add(list, "magichour.rejected", "%" PRIu64, job->count.rejected);
-    if (job->search.rays > 0) {
-        attribute_add(list, "magichour.searches",
-                      "%.0f rays, %.2f steps each, %.0f in a field that is no distance, %.0f cut",
-                      job->search.rays, job->search.steps / job->search.rays, job->search.broken,
-                      job->search.cut);
-    }
-    attribute_add(list, "magichour.seconds", "%.6f", job->figures.seconds);
-    describe_picture(list, &job->scene, &job->renderer, &job->context);
-    text_free(&command);
+    return finish(job, error);
 }
 
 static bool write_outputs(const RenderJob *job, int argc, char **argv, Error *error) {
     const Options *options = job->options;
     AttributeList attributes = {0};
     bool ok = true;
-    describe(job, argc, argv, &attributes);
-    ImageWriteParams params = {.exposure_ev = job->scene.values.exposure_ev,
-                               .tone = options->tone && strcmp(options->tone, "none") == 0 ? TONE_NONE
-                                                                                           : TONE_AUTHOR,
-                               .attributes = &attributes};
+    render_describe(job, argc, argv, &attributes);
+    ImageWriteParams params = {
+        .exposure_ev = job->scene.values.exposure_ev, .tone = tone_of(options), .attributes = &attributes};
     for (int i = 0; ok && i < options->output_count; i++) {
         ok = image_write(&job->image, options->outputs[i], &params, error);
     }
@@ -242,7 +252,8 @@ Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
         render_warn(&job);
     }
     bool interrupted = job.figures.interrupted;
+    bool broken = options->error.amount > 0 && !job.promise.given;
     release(&job);
     if (!ok) return error->status;
-    return interrupted ? STATUS_INTERRUPTED : STATUS_DONE;
+    return interrupted ? STATUS_INTERRUPTED : broken ? STATUS_UNPROMISED : STATUS_DONE;
 }

@@ -91,11 +91,15 @@ const OptionRow option_table[] = {
     {GROUP_SKY, "--set", "NAME=VALUE", R | V | S | F | I | H | E, TAKE(take_setting),
      "a scene's parameter, sun.elevation, atmosphere.mie_g, ...; may be repeated", NULL},
 
-    {GROUP_ACCURACY, "--error", "PERCENT", R, TAKE(take_error),
-     "stop when the estimated relRMSE is this; 1 by default, unless --spp or --time is given", NULL},
-    {GROUP_ACCURACY, "--error", "PERCENT", H, TAKE(take_error),
-     "the error at which auto's choice is marked; 1 by default", NULL},
-    {GROUP_ACCURACY, "--error", "PERCENT", E, TAKE(take_error),
+    {GROUP_ACCURACY, "--error", "PERCENT|Nlevels", R, TAKE(take_error),
+     "stop when the estimated relRMSE is this (1), or the RMS in 8-bit levels of the picture as it is shown, "
+     "with twice that in the worst 16x16 tile (2levels); 1 by default, unless --spp or --time is given. Exit "
+     "status 7 if it cannot be promised",
+     NULL},
+    {GROUP_ACCURACY, "--error", "PERCENT|Nlevels", H, TAKE(take_error),
+     "the error at which auto's choice is marked; 1 by default. With levels, the chart of paths is in levels",
+     NULL},
+    {GROUP_ACCURACY, "--error", "PERCENT", E, TAKE(take_percent),
      "a term that changes the picture by more is needed; 1 by default", NULL},
     {GROUP_ACCURACY, "--time", "SECONDS", R, TAKE(take_seconds),
      "stop after this time, with whole groups of samples", NULL},

@@ -87,8 +87,18 @@ bool take_seconds(Options *options, const char *name, const char *value, Error *
     return number_parse_range(name, value, 1e-3, 1e9, &options->seconds, error);
 }
 
+bool take_percent(Options *options, const char *name, const char *value, Error *error) {
+    return number_parse_range(name, value, 1e-3, 1e3, &options->error.amount, error);
+}
+
 bool take_error(Options *options, const char *name, const char *value, Error *error) {
-    return number_parse_range(name, value, 1e-3, 1e3, &options->error_percent, error);
+    char amount[32];
+    size_t length = strcspn(value, "l");
+    bool levels = strcmp(value + length, "levels") == 0;
+    options->error.measure = levels ? NOISE_LEVELS : NOISE_RADIANCE;
+    if (!levels) return number_parse_range(name, value, 1e-3, 1e3, &options->error.amount, error);
+    snprintf(amount, sizeof amount, "%.*s", (int)length, value);
+    return number_parse_range(name, amount, 1e-2, 100, &options->error.amount, error);
 }
 
 bool take_exposure(Options *options, const char *name, const char *value, Error *error) {

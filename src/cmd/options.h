@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/error.h"
+#include "error/promise.h"
 
 #include <stddef.h>
 
@@ -41,7 +42,8 @@ typedef struct Options {
     int setting_count;
 
     unsigned long long samples;
-    double seconds, error_percent;
+    double seconds;
+    ErrorTarget error;
 
     /* A list of charts such as "paths,sky". */
     const char *charts;

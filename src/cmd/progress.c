@@ -31,8 +31,9 @@ static double seconds_left(const ProgressFigures *figures) {
     if (figures->target_samples && figures->samples > 0)
         left = figures->seconds * ((double)figures->target_samples / figures->samples - 1);
     /* The error falls with the square root of the time, or a little faster. */
-    if (figures->target_error_percent > 0 && figures->error_percent < INFINITY)
-        left = figures->seconds * (pow(figures->error_percent / figures->target_error_percent, 2) - 1);
+    double error = figures->error[figures->target.measure];
+    if (figures->target.amount > 0 && error < INFINITY)
+        left = figures->seconds * (pow(error / figures->target.amount, 2) - 1);
     if (figures->target_seconds > 0) left = fmin(left, figures->target_seconds - figures->seconds);
     return fmax(left, 0);
 }
@@ -44,13 +45,30 @@ static void report_terminal(Progress *progress, const ProgressFigures *figures) 
     }
     char words[200], target[32] = "", reached[64] = "", left[32] = "";
     if (figures->target_samples) snprintf(target, sizeof target, " of %" PRIu64, figures->target_samples);
-    if (figures->error_percent < INFINITY)
-        snprintf(reached, sizeof reached, "error about %.2g %%, ", figures->error_percent);
+    double error = figures->error[figures->target.measure];
+    if (error < INFINITY)
+        snprintf(reached, sizeof reached, "error about %.2g %s, ", error,
+                 figures->target.measure == NOISE_LEVELS ? "levels" : "%");
     if (seconds_left(figures) < INFINITY)
         snprintf(left, sizeof left, ", %.0f s left", ceil(seconds_left(figures)));
     snprintf(words, sizeof words, "%s%.0f%s samples, %.1f Mpaths/s%s", reached, figures->samples, target,
              1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), left);
     show_line(progress, words);
+}
+
+static void report_errors(Json *json, const ProgressFigures *figures) {
+    static const char *const errors[] = {"error_percent", "error_levels"};
+    static const char *const noises[] = {"noise_percent", "noise_levels"};
+    for (int i = 0; i < NOISE_MEASURES; i++) {
+        if (!(figures->error[i] < INFINITY)) continue;
+        json_number(json, errors[i], figures->error[i]);
+        json_number(json, noises[i], figures->noise[i]);
+    }
+    if (!figures->done || !figures->promise) return;
+    json_flag(json, "promised", figures->promise->given);
+    if (figures->promise->given) return;
+    json_text(json, "unpromised_reason", figures->promise->reason);
+    json_number(json, "unpromised_pixels_percent", 100 * figures->promise->pixels);
 }
 
 static void report_json(const ProgressFigures *figures) {
@@ -61,10 +79,7 @@ static void report_json(const ProgressFigures *figures) {
     json_seconds(&json, "seconds", figures->seconds);
     json_seconds(&json, "startup_seconds", figures->startup_seconds);
     json_number(&json, "paths_per_s", (double)figures->paths / fmax(figures->seconds, 1e-9));
-    if (figures->error_percent < INFINITY) {
-        json_number(&json, "error_percent", figures->error_percent);
-        json_number(&json, "noise_percent", figures->noise_percent);
-    }
+    report_errors(&json, figures);
     if (figures->done) {
         json_count(&json, "rejected", figures->rejected);
         json_flag(&json, "interrupted", figures->interrupted);

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "cmd/options.h"
-#include "gl/film.h"
+#include "error/promise.h"
+#include "render/chance.h"
 
 #include <stdint.h>
 
@@ -23,11 +24,12 @@ typedef struct ProgressFigures {
     /* 0 if something else limits the picture. */
     uint64_t target_samples;
     uint64_t paths;
-    /* The part of error_percent that is noise, and its target. The rest is the sky's bias. */
-    double noise_percent;
-    double target_noise_percent;
-    /* The estimated relRMSE, infinite while it is not known. The target is 0 if there is none. */
-    double error_percent, target_error_percent;
+    /* The estimated error in each measure (error/noise.h), and the part of it that is noise; infinite while
+     * they are not known. The rest is the sky's bias. */
+    double error[NOISE_MEASURES], noise[NOISE_MEASURES];
+    ErrorTarget target;
+    /* The noise at which noise and bias together reach the target. */
+    double target_noise;
     /* The target is 0 if something else limits the picture. */
     double seconds, target_seconds;
     double startup_seconds;
@@ -39,7 +41,9 @@ typedef struct ProgressFigures {
      * has found. */
     bool sun_by_chance;
     /* How much light is left to chance, if that was counted. */
-    FilmChance chance;
+    ChanceShares chance;
+    /* Of a finished picture with a target. */
+    const Promise *promise;
 } ProgressFigures;
 
 Progress progress_start(const Options *options);

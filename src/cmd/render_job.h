@@ -3,9 +3,11 @@
 
 #include "cmd/options.h"
 #include "cmd/progress.h"
-#include "error/adaptive.h"
+#include "error/promise.h"
+#include "image/attribute.h"
 #include "image/image.h"
 #include "render/aov.h"
+#include "render/chance.h"
 #include "render/renderer.h"
 
 typedef struct RenderJob {
@@ -21,11 +23,19 @@ typedef struct RenderJob {
     Image image;
     FilmCount count;
     FilmSearch search;
-    FilmChance chance;
+    ChanceShares chance;
     /* Whether the layer of variances has pixels whose variance is not known. */
     bool variance_unknown;
     ProgressFigures figures;
+    /* Whether the target error is promised. Means nothing without a target. */
+    Promise promise;
 } RenderJob;
+
+/* The sky's bias in a measure, or NAN if it is not known. */
+double render_bias(const RenderJob *job, NoiseMeasure measure);
+
+/* Adds the metadata from which the picture can be made again, and what is known of its error. */
+void render_describe(const RenderJob *job, int argc, char **argv, AttributeList *list);
 
 /* Prints the methods, the backend and the files on standard error (-v). */
 void render_say_choices(const RenderJob *job);

@@ -33,18 +33,21 @@ void render_say_choices(const RenderJob *job) {
 /* Prints the picture's error and its parts. */
 static void say_error(const RenderJob *job) {
     const ProgressFigures *figures = &job->figures;
-    double bias = job->renderer.sky_bias_percent;
-    if (figures->error_percent < INFINITY) {
-        printf("; estimated error %.3g %%%s: noise %.3g %%", figures->error_percent,
-               job->adaptive.noise.trim > 0 ? " without the 0.1 % worst pixels" : "", figures->noise_percent);
+    const Noise *noise = &job->adaptive.noise;
+    NoiseMeasure measure = figures->target.measure;
+    const char *unit = measure == NOISE_LEVELS ? "levels" : "%";
+    double bias = render_bias(job, measure), error = figures->error[measure];
+    if (error < INFINITY) {
+        printf("; estimated error %.3g %s%s: noise %.3g %s", error, unit,
+               noise->counted < (long)noise->width * noise->height ? " without the sun's own image" : "",
+               figures->noise[measure], unit);
     }
     if (isnan(bias))
         printf("; the sky's bias is not known here");
     else if (bias > 0)
-        printf("%s sky %.2g %% at most", figures->error_percent < INFINITY ? "," : ";", bias);
+        printf("%s sky %.2g %s at most", error < INFINITY ? "," : ";", bias, unit);
     if (job->options->depth) printf("; without what --depth cuts");
-    if (bias > figures->target_error_percent && figures->target_error_percent > 0)
-        printf("; such a sky errs more than was asked for");
+    if (figures->promise && !job->promise.given) printf("; not promised");
 }
 
 void render_say_summary(const RenderJob *job) {
@@ -86,23 +89,29 @@ static void warn_search(const RenderJob *job) {
 }
 
 static void warn_chance(const RenderJob *job) {
-    const FilmChance *chance = &job->chance;
+    const ChanceShares *chance = &job->chance;
     char throwers[200];
-    if (job->renderer.sun_by_chance) {
-        fprintf(stderr,
-                "magichour: warning: --sun-disk=chance: all sunlight is found by chance: the estimated error "
-                "does not know light that no sample has found\n");
-    }
-    if (!chance_matters(chance)) return;
-    chance_throwers(chance, &job->scene.file->facts, throwers, sizeof throwers);
+    if (job->renderer.sun_by_chance)
+        fprintf(stderr, "magichour: warning: --sun-disk=chance: all sunlight is found by chance\n");
+    if (job->renderer.sun_by_chance || !chance_matters(chance)) return;
+    chance_throwers(chance->materials, &job->scene.file->facts, throwers, sizeof throwers);
     fprintf(stderr,
             "magichour: warning: %s: sunlight that is thrown by %s is found by chance: about %.2g %% of the "
-            "picture's light, in %.2g %% of its pixels (%.2g %% of the paths). The estimated error does not "
-            "know light that no sample has found\n",
+            "picture's light, in %.2g %% of its pixels (%.2g %% of the paths)\n",
             job->scene.file->path, throwers, 100 * chance->light, 100 * chance->pixels, 100 * chance->paths);
 }
 
+static void warn_promise(const RenderJob *job) {
+    char target[48];
+    if (!job->figures.promise || job->promise.given || job->figures.interrupted) return;
+    ErrorTarget wanted = job->figures.target;
+    snprintf(target, sizeof target, "%.6g %s", wanted.amount,
+             wanted.measure == NOISE_LEVELS ? "levels" : "%");
+    fprintf(stderr, "magichour: warning: an error of %s is not promised: %s\n", target, job->promise.reason);
+}
+
 void render_warn(const RenderJob *job) {
+    warn_promise(job);
     if (job->variance_unknown) {
         fprintf(stderr,
                 "magichour: warning: --aov variance is not known from %u samples or fewer: there it is NaN\n",
@@ -110,9 +119,10 @@ void render_warn(const RenderJob *job) {
     }
     if (job->figures.rejected) {
         fprintf(stderr,
-                "magichour: warning: %" PRIu64 " of %" PRIu64 " samples were not finite%s and are left out\n",
+                "magichour: warning: %" PRIu64 " of %" PRIu64
+                " samples were not finite, or too large to be summed%s, and are left out\n",
                 job->figures.rejected, job->figures.paths,
-                job->search.rays > 0 ? ", or took more loops than the driver allows," : "");
+                job->search.rays > 0 ? ", or took more loops than the driver allows" : "");
     }
     warn_chance(job);
     warn_search(job);

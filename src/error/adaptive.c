@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/memory.h"
+#include "error/tile_plan.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,26 +12,27 @@ enum {
     FIRST_SAMPLES = 4,
     /* All tiles get this number of samples before the plan begins. */
     EVEN_SAMPLES = 8,
-    /* No error is reported before one tile has this number of samples, because the estimate would be too
-     * uncertain. */
-    CLAIMED_SAMPLES = 16,
-    /* The plan looks this number of doublings ahead. */
-    MOST_LEVELS = 24,
+    /* A plan made from fewer samples of a pixel, on average, is no reason to give up. */
+    JUDGED_SAMPLES = 256,
     /* With evenly spread samples, the noise is not measured before this part of them (an eighth) is taken. */
     MEASURED_SHARE = 8
 };
 
-/* The plan takes at least this share of the mean error of the tiles around a tile. Rare light, such as the
- * specks of a caustic, may have been found in a neighbour and not yet in the tile itself. */
-static const double neighbours_share = 0.5;
+/* In a picture in which no path has found light so far, all of it may be found only by luck. */
+static const uint64_t paths_of_black = (uint64_t)1 << 20;
 
 static int count_tiles(const Adaptive *adaptive) {
     return adaptive->noise.columns * adaptive->noise.rows;
 }
 
-Adaptive adaptive_create(const Renderer *renderer, double trim) {
-    Adaptive adaptive = {.noise = noise_create(renderer->film.width, renderer->film.height, trim),
-                         .deadline = INFINITY};
+Adaptive adaptive_create(const Renderer *renderer, NoiseMeasure measure, const ToneTable *tone) {
+    const Film *film = &renderer->film;
+    Adaptive adaptive = {
+        .noise = noise_create(film->width, film->height, tone), .measure = measure, .deadline = INFINITY};
+    unsigned char *sun = memory_get((size_t)film->width * (size_t)film->height, 1);
+    sun_image_pixels(&renderer->sun_image, film->width, sun);
+    noise_leave_out(&adaptive.noise, sun);
+    free(sun);
     adaptive.wanted = memory_get((size_t)count_tiles(&adaptive), sizeof *adaptive.wanted);
     adaptive.regions = memory_get((size_t)count_tiles(&adaptive), sizeof *adaptive.regions);
     return adaptive;
@@ -47,76 +49,32 @@ static double tile_pixels(const NoiseTile *tile) {
     return (double)tile->pixels.width * tile->pixels.height;
 }
 
-static double tile_error(const Noise *noise, const NoiseTile *tile) {
-    return noise_of_tile(noise, tile, (double)tile->samples);
-}
-
-/* Returns the squared error of a tile that the plan uses. */
-static double guarded_error(const Noise *noise, int index) {
-    int column = index % noise->columns, row = index / noise->columns;
-    double around = 0, pixels = 0;
-    for (int y = row - 1; y <= row + 1; y++) {
-        for (int x = column - 1; x <= column + 1; x++) {
-            if (x < 0 || y < 0 || x >= noise->columns || y >= noise->rows) continue;
-            const NoiseTile *tile = &noise->tiles[y * noise->columns + x];
-            /* The neighbour's error is scaled to the number of samples of tile `index`. */
-            around += tile_error(noise, tile) * (double)tile->samples / (double)noise->tiles[index].samples;
-            pixels += tile_pixels(tile);
-        }
-    }
-    const NoiseTile *tile = &noise->tiles[index];
-    return fmax(tile_error(noise, tile), neighbours_share * around / pixels * tile_pixels(tile));
-}
-
-/* Returns how often a tile is to be doubled, if it has the squared error `error` and each doubling must
- * remove at least `level` squared error a sample. */
-static int doublings(const Noise *noise, const NoiseTile *tile, double error, double level) {
-    double cost = tile_pixels(tile) * (double)tile->samples;
-    int count = 0;
-    while (count < MOST_LEVELS && error * (1 - noise->fall) > level * cost) {
-        error *= noise->fall;
-        cost *= 2;
-        count++;
-    }
-    return count;
-}
-
-/* Returns the squared error of the picture after all doublings that are worth `level`. The `guarded` errors
- * decide which tiles are doubled. The result is computed from the tiles' own errors, as it will be measured.
- */
-static double planned_error(const Noise *noise, const double *guarded, double level) {
-    double sum = 0;
-    for (int i = 0; i < noise->columns * noise->rows; i++) {
-        const NoiseTile *tile = &noise->tiles[i];
-        sum += tile_error(noise, tile) * pow(noise->fall, doublings(noise, tile, guarded[i], level));
-    }
-    return sum;
-}
-
 /* Chooses the tiles that are to be doubled, and returns their number. */
-static int choose(Adaptive *adaptive, double percent) {
+static int choose(Adaptive *adaptive, double target) {
     const Noise *noise = &adaptive->noise;
     int count = 0, tiles = count_tiles(adaptive);
-    double goal = noise_goal(noise, percent);
-    double *guarded = memory_get((size_t)tiles, sizeof *guarded);
-    /* Bounds of the level. */
-    double low = 1e-40, high = 1e40;
-    for (int i = 0; i < tiles; i++) guarded[i] = guarded_error(noise, i);
-    for (int i = 0; i < 100; i++) {
-        double level = sqrt(low * high);
-        if (planned_error(noise, guarded, level) > goal) {
-            high = level;
-        } else {
-            low = level;
-        }
-    }
+    double planned = 0;
+    int *doublings = memory_get((size_t)tiles, sizeof *doublings);
+    tile_plan(noise, adaptive->measure, target, doublings);
     for (int i = 0; i < tiles; i++) {
-        bool chosen = doublings(noise, &noise->tiles[i], guarded[i], low) > 0;
-        adaptive->wanted[i] = chosen ? noise->tiles[i].samples : 0;
+        const NoiseTile *tile = &noise->tiles[i];
+        bool chosen = doublings[i] > 0;
+        adaptive->wanted[i] = chosen ? tile->samples : 0;
         count += chosen;
+        planned += ldexp(tile_pixels(tile) * (double)tile->samples, doublings[i]);
     }
-    free(guarded);
+    free(doublings);
+    adaptive->planned = planned / ((double)noise->width * noise->height);
     return count;
+}
+
+/* Chooses all tiles that may have more samples, for a picture that has reached its target in too few paths to
+ * say so. */
+static void choose_all(Adaptive *adaptive) {
+    for (int i = 0; i < count_tiles(adaptive); i++) {
+        uint64_t samples = adaptive->noise.tiles[i].samples;
+        adaptive->wanted[i] = 2 * samples <= TILE_MOST_SAMPLES ? samples : 0;
+    }
 }
 
 /* Lists the tiles that are still to get from `least` to `most` samples as regions, and returns the number of
@@ -214,21 +172,37 @@ static void find_range(Adaptive *adaptive) {
 static bool measure(Adaptive *adaptive, const Renderer *renderer, Error *error) {
     Image mean;
     FilmCount count;
+    ChanceMap map;
+    adaptive->claimed = evidence_suffices(&renderer->plan, adaptive->most, adaptive->paths);
     if (!film_read(&renderer->film, &mean, &count, error)) return false;
-    noise_measure(&adaptive->noise, &mean);
+    bool ok = chance_map_read(&map, &renderer->film, error);
+    if (ok) {
+        adaptive->evidence = evidence_gather(&adaptive->noise, &map, &mean);
+        noise_measure(&adaptive->noise, &mean);
+        chance_map_free(&map);
+    }
     image_free(&mean);
-    return true;
+    return ok;
 }
 
-bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double percent, bool (*stop)(void),
-                    Error *error) {
+/* Notes whether the plan that was made last is beyond what is done for a picture. */
+static void judge_plan(Adaptive *adaptive) {
+    double pixels = (double)adaptive->noise.width * adaptive->noise.height;
+    bool judged = (double)adaptive->paths >= JUDGED_SAMPLES * pixels;
+    bool beyond = judged && adaptive->planned > (double)ADAPTIVE_MOST_SAMPLES;
+    adaptive->beyond = beyond ? adaptive->beyond + 1 : 0;
+}
+
+bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double target, bool (*stop)(void), Error *error) {
+    bool even = renderer->film.samples < EVEN_SAMPLES;
+    int chosen = even ? 0 : choose(adaptive, target);
+    if (chosen) judge_plan(adaptive);
     /* If no tile is worth a doubling so early, as in a picture of the sky alone, all tiles get samples until
      * an error can be reported. */
-    bool even = renderer->film.samples < EVEN_SAMPLES ||
-                (!choose(adaptive, percent) && adaptive->most < CLAIMED_SAMPLES);
-    if (even) {
-        if (!sample_evenly(adaptive, renderer, stop, error)) return false;
-    } else if (!double_tiles(adaptive, renderer, stop, error)) {
+    if (!chosen && adaptive->most == renderer->film.samples) even = true;
+    if (!even && !chosen) choose_all(adaptive);
+    if (even ? !sample_evenly(adaptive, renderer, stop, error)
+             : !double_tiles(adaptive, renderer, stop, error)) {
         return false;
     }
     adaptive->rounds++;
@@ -245,8 +219,14 @@ bool adaptive_pass(Adaptive *adaptive, Renderer *renderer, uint64_t samples, boo
     return !doubling || film->samples * MEASURED_SHARE < samples || measure(adaptive, renderer, error);
 }
 
-double adaptive_percent(const Adaptive *adaptive) {
+double adaptive_error(const Adaptive *adaptive, NoiseMeasure measure) {
     /* Light that few samples find, such as that of a lamp without a hint, would be missed by an earlier
-     * estimate. */
-    return adaptive->most < CLAIMED_SAMPLES ? INFINITY : noise_percent(&adaptive->noise);
+     * estimate. In a black picture all of it may be missing. */
+    if (!adaptive->claimed || adaptive->noise.largest <= 0) return INFINITY;
+    return noise_error(&adaptive->noise, measure);
+}
+
+bool adaptive_is_hopeless(const Adaptive *adaptive) {
+    bool black = adaptive->claimed && adaptive->noise.largest <= 0 && adaptive->paths >= paths_of_black;
+    return black || adaptive->beyond >= 2;
 }

@@ -4,17 +4,23 @@
  * Every round doubles the samples of some tiles. A doubling is worth (squared error that it removes) /
  * (samples that it takes). The plan is a level of this worth. If every tile is doubled as often as its
  * doublings are worth at least the level, the whole picture reaches the target exactly. Each tile that the
- * plan doubles at least once is doubled in this round.
+ * plan doubles at least once is doubled in this round. In levels, the tiles have a limit of their own too.
  *
  * The number of a pixel's samples depends on what its tile looked like, which biases the pixel's mean. Tiles
  * of 256 pixels make this bias smaller than can be measured (README.md). */
 #pragma once
 
+#include "error/evidence.h"
 #include "error/noise.h"
 #include "render/renderer.h"
 
 typedef struct Adaptive {
     Noise noise;
+    /* The measure in which the target is. */
+    NoiseMeasure measure;
+    Evidence evidence;
+    /* Whether the samples suffice for a figure of the error. */
+    bool claimed;
     /* The samples that each tile is still to get in this round. */
     uint64_t *wanted;
     Rectangle *regions;
@@ -25,15 +31,24 @@ typedef struct Adaptive {
     /* The least and the largest number of samples of a pixel. */
     uint64_t least, most;
     int rounds;
+    /* The samples of a pixel, on average, with which the plan reaches the target. */
+    double planned;
+    /* How many of the last rounds planned more than ADAPTIVE_MOST_SAMPLES. */
+    int beyond;
 } Adaptive;
 
-/* Makes the state for `renderer`, whose film must be empty. `trim` is as for noise_create(). */
-Adaptive adaptive_create(const Renderer *renderer, double trim);
+/* A picture whose plan takes more samples of a pixel, on average, is given up. No pixel gets more than eight
+ * times as many, because a film counts up to 2^24. */
+#define ADAPTIVE_MOST_SAMPLES ((uint64_t)1 << 20)
+
+/* Makes the state for `renderer`, whose film must be empty. Levels are measured if `tone` is not NULL. The
+ * sun's own image is left out of all errors. */
+Adaptive adaptive_create(const Renderer *renderer, NoiseMeasure measure, const ToneTable *tone);
 void adaptive_destroy(Adaptive *adaptive);
 
-/* Renders one round toward an estimated relRMSE of `percent`. The first rounds sample the whole picture, the
+/* Renders one round toward an estimated error of `target`. The first rounds sample the whole picture, the
  * later ones the tiles of the plan. `stop` is as for renderer_pass(), and may be NULL. */
-MUST_CHECK bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double percent, bool (*stop)(void),
+MUST_CHECK bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double target, bool (*stop)(void),
                                Error *error);
 
 /* Renders one group of samples for all pixels, on the way to `samples` samples of each. The film must have
@@ -41,5 +56,9 @@ MUST_CHECK bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double pe
 MUST_CHECK bool adaptive_pass(Adaptive *adaptive, Renderer *renderer, uint64_t samples, bool (*stop)(void),
                               Error *error);
 
-/* Returns the estimated relRMSE in percent, or INFINITY while it is not known. */
-double adaptive_percent(const Adaptive *adaptive);
+/* Returns the estimated error in a measure (error/noise.h), or INFINITY while it is not known. */
+double adaptive_error(const Adaptive *adaptive, NoiseMeasure measure);
+
+/* Whether the target is out of reach: no path has found any light, or two plans in turn, made after 256
+ * samples of a pixel or more, were beyond ADAPTIVE_MOST_SAMPLES. */
+bool adaptive_is_hopeless(const Adaptive *adaptive);

@@ -13,35 +13,64 @@
  * random. The estimate uses the mean of the measured q and 1/2, which makes it a few percent too large.
  *
  * Tiles may have different numbers of samples. A tile is measured only when its number of samples has
- * doubled. Between measurements V ~ 1/n is assumed. */
+ * doubled. Between measurements V ~ 1/n is assumed.
+ *
+ * All of it is done in one measure or in two: of the radiance, and of the picture as it is shown. */
 #pragma once
 
 #include <stdint.h>
 
 #include "gl/camera.h"
 #include "image/image.h"
+#include "image/tone_table.h"
 
 /* Width and height of a tile, in pixels. */
 enum { NOISE_TILE = 16 };
 
-/* If the sun's image is in the picture, this share of the pixels, the worst, is left out of the error figure.
- */
-#define NOISE_SUN_TRIM 0.001
+typedef enum NoiseMeasure {
+    /* Of the radiance; the picture's figure is relRMSE in percent, as image/compare.h defines it. */
+    NOISE_RADIANCE,
+    /* Of the picture as it is shown, in 8-bit levels; the picture's figure is the RMS, or half of the worst
+     * tile's RMS if that is more (image/levels.h). */
+    NOISE_LEVELS,
+    NOISE_MEASURES
+} NoiseMeasure;
+
+/* How the pixels of a tile have changed, in one measure. The squared change of a pixel is averaged over the
+ * channels. */
+typedef struct NoiseChange {
+    /* The sum over the pixels by the last doubling. Known after 2 measurements. */
+    double now;
+    /* The same by the doubling before that one. Known after 3 measurements. */
+    double earlier;
+    /* The sum of the squares of the terms of `now`. */
+    double squares;
+    /* The expected squared error, times the samples of each pixel, of light that no sample has found yet. It
+     * is 0 unless the caller sets it. */
+    double unmet;
+} NoiseChange;
 
 typedef struct NoiseTile {
     Rectangle pixels;
+    /* How many of them are not left out. */
+    int counted;
     /* Samples of each pixel, now. */
     uint64_t samples;
     /* Samples of each pixel when the tile was last measured. */
     uint64_t measured;
     /* How often the tile was measured. */
     int times;
-    /* The change by the last doubling: the squared change, averaged over the channels and summed over the
-     * pixels. Known after 2 measurements. */
-    double change;
-    /* The change by the doubling before that one. Known after 3 measurements. */
-    double earlier;
+    NoiseChange change[NOISE_MEASURES];
 } NoiseTile;
+
+/* The state of one measure. */
+typedef struct NoiseFigures {
+    /* The q that the estimate uses. */
+    double fall;
+    double measured_fall;
+    /* The picture's figure is multiplied by this. */
+    double caution;
+} NoiseFigures;
 
 typedef struct Noise {
     int width, height, columns, rows;
@@ -49,22 +78,33 @@ typedef struct Noise {
     NoiseTile *tiles;
     /* 3 numbers for each pixel: the mean that the next mean is compared with. */
     float *before;
-    /* For each pixel: the squared change by the last doubling, averaged over the channels. */
-    float *change;
-    /* The share of the pixels, the worst, that the picture's figure leaves out. */
-    double trim;
-    /* Pixels whose squared change is larger than this are left out. */
-    float worst;
-    /* The q that the estimate uses. */
-    double fall;
-    double measured_fall;
-    /* The picture's mean over pixels and channels. */
+    /* 1 for each pixel that all figures and the mean leave out: those of the sun's own image. */
+    unsigned char *left_out;
+    long counted;
+    /* How the picture is shown; NULL if levels are not measured. */
+    ToneTable *tone;
+    NoiseFigures figures[NOISE_MEASURES];
+    /* The picture's mean over pixels and channels, at least NOISE_LEAST_MEAN. */
     double mean;
+    /* The largest mean of a pixel's channel. */
+    float largest;
 } Noise;
 
-/* `trim` is 0, or a share of the pixels such as NOISE_SUN_TRIM. */
-Noise noise_create(int width, int height, double trim);
+/* A darker picture is judged as if it had this mean. Otherwise a picture of next to nothing, such as that of
+ * a closed box that leaks, would never be good enough. Starlight on the ground is a hundred times as much. */
+#define NOISE_LEAST_MEAN 1e-9
+
+/* `tone` is NULL if levels need not be measured. */
+Noise noise_create(int width, int height, const ToneTable *tone);
 void noise_destroy(Noise *noise);
+
+/* Leaves out the pixels in which `mask` is not 0, from the next measurement on and besides those that are
+ * left out already. If that would be all pixels, none is left out. */
+void noise_leave_out(Noise *noise, const unsigned char *mask);
+
+/* Notes that the picture is now shown with another gain. Its error in levels is not known again before the
+ * second measurement after that. */
+void noise_show(Noise *noise, double gain);
 
 /* Compares the picture's mean with the mean before. The caller has set `tiles[i].samples` to the samples in
  * it. Tiles whose samples have doubled since their last measurement are measured; the others wait. */
@@ -73,18 +113,24 @@ void noise_measure(Noise *noise, const Image *mean);
 /* Returns a tile's part of the squared error: the estimated variance of the mean, averaged over the channels
  * and summed over the tile's pixels. The estimate is for `samples` samples of each pixel, which may be more
  * than the tile has now. Returns INFINITY while it is not known. */
-double noise_of_tile(const Noise *noise, const NoiseTile *tile, double samples);
+double noise_of_tile(const Noise *noise, const NoiseTile *tile, NoiseMeasure measure, double samples);
 
-/* Returns the estimated relRMSE of the whole picture in percent, as image/compare.h defines it. Returns
- * INFINITY while it is not known. */
-double noise_percent(const Noise *noise);
+/* Returns the estimated error of the whole picture, or INFINITY while it is not known. */
+double noise_error(const Noise *noise, NoiseMeasure measure);
 
-/* Returns the squared error at which noise_percent() is `percent`. It is a sum of noise_of_tile() over all
- * tiles. */
-double noise_goal(const Noise *noise, double percent);
+/* The RMS of the picture in levels, and of its worst tile. INFINITY while they are not known. */
+void noise_levels(const Noise *noise, double *rms, double *worst_tile);
+
+/* Returns the squared error at which the picture's figure is `error`, leaving its tiles aside. It is a sum of
+ * noise_of_tile() over all tiles. */
+double noise_goal(const Noise *noise, NoiseMeasure measure, double error);
+
+/* Returns the squared error that a tile may have so that the picture's figure can be `error`. It is INFINITY
+ * if the measure judges no tiles. */
+double noise_tile_goal(const NoiseTile *tile, NoiseMeasure measure, double error);
 
 /* Scales the variances of film_read_variance(), 3 for each pixel, so that each tile's sum agrees with
  * noise_of_tile(). The variances know which pixels are noisier than others; the tile's estimate knows how
  * much better a low-discrepancy sequence is than the scatter of its groups of samples. Variances that are not
- * known stay as they are. */
+ * known stay as they are. Pixels that are left out have no part in the sums. */
 void noise_calibrate(const Noise *noise, float *variance);

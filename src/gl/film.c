@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SUM, REST, SCATTER, SEARCH, CHANCE };
+enum { SUM, REST, SCATTER, SEARCH, CHANCE, SQUARES };
 
 static size_t pixel_count(const Film *film) {
     return (size_t)film->width * (size_t)film->height;
@@ -33,7 +33,7 @@ bool film_create(Film *film, const Context *context, int width, int height, unsi
     unsigned outputs = 1U << SUM | 1U << REST;
     if (parts & FILM_SCATTER) outputs |= 1U << SCATTER;
     if (parts & FILM_SEARCH) outputs |= 1U << SEARCH;
-    if (parts & FILM_CHANCE) outputs |= 1U << CHANCE;
+    if (parts & FILM_CHANCE) outputs |= 1U << CHANCE | 1U << SQUARES;
     *film = (Film){.width = width, .height = height, .parts = parts, .splat_scale = 1};
     if (!target_create(&film->target, context, width, height, outputs, error)) return false;
     if (parts & FILM_SPLAT) create_splat(film);
@@ -59,8 +59,8 @@ void film_reset(Film *film) {
 }
 
 void film_begin(Film *film, const Program *program) {
-    static const char *const names[] = {"film_sum", "film_rest", "film_scatter_sum", "film_search_sum",
-                                        "film_chance_sum"};
+    static const char *const names[] = {"film_sum",        "film_rest",       "film_scatter_sum",
+                                        "film_search_sum", "film_chance_sum", "film_squares_sum"};
     target_begin(&film->target, program, names);
     program_set_uint(program, "film_zero", 0);
 }
@@ -187,45 +187,9 @@ bool film_read_search(const Film *film, FilmSearch *search, Error *error) {
     return ok;
 }
 
-/* Each pixel is divided by its own number of samples, because adaptive sampling gives some pixels more. */
-static FilmChance add_up_chance(const float *chances, const float *sums, size_t pixels) {
-    enum { MATERIALS = 20 };
-    FilmChance chance = {0};
-    double samples = 0, picture = 0, expected = 0, found = 0, thrown[MATERIALS] = {0};
-    for (size_t i = 0; i < pixels; i++) {
-        const float *c = chances + 4 * i, *sum = sums + 4 * i;
-        double weight = (double)sum[3];
-        if (!(weight > 0)) continue;
-        double light = (double)c[1] / weight;
-        samples += weight;
-        picture += (0.2126 * (double)sum[0] + 0.7152 * (double)sum[1] + 0.0722 * (double)sum[2]) / weight;
-        chance.paths += (double)c[0];
-        chance.pixels += c[1] > 0 ? 1 : 0;
-        expected += light;
-        found += (double)c[2] / weight;
-        for (int k = 0; k < MATERIALS; k++)
-            if ((unsigned)c[3] >> k & 1) thrown[k] += light;
-    }
-    if (!(chance.paths > 0)) return chance;
-    chance.paths /= samples;
-    chance.pixels /= (double)pixels;
-    if (expected > 0) chance.light = expected / (expected + fmax(picture - found, 0));
-    for (int k = 0; k < MATERIALS; k++)
-        if (thrown[k] > 0.01 * expected) chance.materials |= 1U << k;
-    return chance;
-}
-
-bool film_read_chance(const Film *film, FilmChance *chance, Error *error) {
-    size_t pixels = pixel_count(film);
-    *chance = (FilmChance){0};
-    if (!(film->parts & FILM_CHANCE)) return true;
-    float *chances = memory_get(pixels * 4, sizeof *chances), *sums = memory_get(pixels * 4, sizeof *sums);
-    bool ok =
-        target_read(&film->target, CHANCE, chances, error) && target_read(&film->target, SUM, sums, error);
-    if (ok) *chance = add_up_chance(chances, sums, pixels);
-    free(chances);
-    free(sums);
-    return ok;
+bool film_read_chance(const Film *film, float *chance, float *squares, Error *error) {
+    return target_read(&film->target, CHANCE, chance, error) &&
+           target_read(&film->target, SQUARES, squares, error);
 }
 
 bool film_read_pixel(const Film *film, int x, int y, FilmPixel *pixel, Error *error) {

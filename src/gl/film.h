@@ -17,10 +17,13 @@
  * of rays that searched, of their steps, of rays that met a field that is no distance, and of rays that took
  * all the steps that they may.
  *
- * With FILM_CHANCE there is a fifth, `chance`, for pictures in which some sunlight is left to chance: no
- * method samples it, so a path finds it only by luck. The texture holds the number of paths to which that
+ * With FILM_CHANCE there are a fifth and a sixth, for pictures in which some sunlight is left to chance: no
+ * method samples it, so a path finds it only by luck. `chance` holds the number of paths to which that
  * happened, the luminance that they are expected to bring from the sun, the luminance that they did bring,
- * and a bit for each material that threw some of it (glsl/sun/count.glsl).
+ * and a bit for each material that threw some of it. Bit FILM_CHANCE_IMAGE is set if the sun itself was seen
+ * in mirrors or glass. `squares` holds the expected square of the radiance that chance brings in one sample,
+ * averaged over the channels and summed over the samples, in rgb by a material's number modulo 3; and in
+ * alpha a bit for each material whose light was found (glsl/sun/count.glsl).
  *
  * With FILM_SPLAT there is a second sum, `splat`, for light that is traced from the lights to the camera.
  * Such light falls on any pixel and is added point by point (rgb; alpha counts the points). It belongs to the
@@ -66,14 +69,9 @@ typedef struct FilmSearch {
     double rays, steps, broken, cut;
 } FilmSearch;
 
-/* How much of a picture is left to chance, as shares from 0 to 1 of its paths, of its pixels and of its
- * light. `light` divides the light that is expected to be found only by luck by the picture's light with all
- * of it, whether or not the picture has found it yet. `materials` has a bit for each material that throws at
- * least a hundredth of that light. */
-typedef struct FilmChance {
-    double paths, pixels, light;
-    unsigned materials;
-} FilmChance;
+/* Materials that `chance` and `squares` tell apart, by bits; the last one stands for all others. The bit
+ * above is that of the sun's own image. */
+enum { FILM_CHANCE_MATERIALS = 20, FILM_CHANCE_IMAGE = 20 };
 
 /* Creates an empty film. `parts`: FILM_SCATTER is needed for film_read_variance(), FILM_SEARCH for
  * film_read_search(), FILM_SPLAT for film_splat_begin(), FILM_CHANCE for film_read_chance(). */
@@ -120,8 +118,8 @@ MUST_CHECK bool film_read_variance(const Film *film, float *rgb, Error *error);
 /* All counts are 0 for a film without FILM_SEARCH. */
 MUST_CHECK bool film_read_search(const Film *film, FilmSearch *search, Error *error);
 
-/* All shares are 0 for a film without FILM_CHANCE. */
-MUST_CHECK bool film_read_chance(const Film *film, FilmChance *chance, Error *error);
+/* Reads the textures `chance` and `squares`: 4 floats a pixel each. The film must have FILM_CHANCE. */
+MUST_CHECK bool film_read_chance(const Film *film, float *chance, float *squares, Error *error);
 
 /* One pixel of a film with FILM_SCATTER. */
 typedef struct FilmPixel {

@@ -18,3 +18,10 @@ static double srgb_from_linear(double v) {
 double tone_level(Tone tone, double gain, double radiance) {
     return 255 * srgb_from_linear(tone_apply(tone, gain * radiance));
 }
+
+double tone_levels_per_percent(Tone tone) {
+    double most = 0;
+    for (double x = 1e-4; x < 100; x *= 1.01)
+        most = fmax(most, tone_level(tone, 1, 1.01 * x) - tone_level(tone, 1, x));
+    return most;
+}

@@ -11,3 +11,6 @@ typedef enum Tone {
 /* The level from 0 to 255 that a radiance is shown as, neither rounded nor dithered. The radiance is
  * multiplied by `gain`, 2^exposure. Negative radiances and NaN are shown as 0, infinity as 255. */
 double tone_level(Tone tone, double gain, double radiance);
+
+/* The most levels by which a picture changes if its radiance changes by a percent. */
+double tone_levels_per_percent(Tone tone);

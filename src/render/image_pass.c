@@ -27,7 +27,7 @@ void image_pass_destroy(ImagePass *pass) {
 bool image_pass_compile(ImagePass *pass, const SunImage *image, const Plan *plan, const RenderParams *params,
                         Error *error) {
     GlslSource source = {0};
-    if (!image->count || pass->program.id) return true;
+    if (!pass->gl || !image->count || pass->program.id) return true;
     bool ok = pass_text(&sun_image_pass, plan, params, &source, error) &&
               pass_compile(&pass->program, pass->gl, &source, params, error);
     glsl_source_destroy(&source);

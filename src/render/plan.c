@@ -164,7 +164,8 @@ static SceneNeeds needs_of(const Scene *scene) {
 }
 
 bool plan_counts_chance(const Plan *plan) {
-    return plan->sun.method->samples_disk && plan->needs.throws;
+    const Method *sun = plan->sun.method;
+    return sun->has_disk && (plan->needs.throws || !sun->samples_disk);
 }
 
 bool plan_choose(Plan *plan, const RenderParams *params, const Context *context, Error *error) {

@@ -141,6 +141,7 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
         !image_pass_compile(&renderer->image, &image, &renderer->plan, params, error)) {
         return false;
     }
+    renderer->sun_image = image;
     image_pass_begin(&renderer->image, &image, width, height);
     return set_up(renderer, &frame, start_seconds(params), NULL, error) && finish(renderer, error);
 }
@@ -219,6 +220,7 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
         return false;
     }
     follow(renderer, &frame);
+    renderer->sun_image = image;
     image_pass_begin(&renderer->image, &image, width, height);
     if (next.target.gl) {
         film_destroy(&renderer->film);

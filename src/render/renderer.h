@@ -18,7 +18,7 @@ typedef struct Renderer {
     /* The claimed relRMSE of the sky (choice/bias.h), percent; NAN if it is not known. */
     double sky_bias_percent;
     /* Whether all light of the sun's disk is found only by luck, as rare bright samples. For `sampled`, which
-     * leaves only some of it to luck, film_read_chance() measures how much. */
+     * leaves only some of it to luck, the film counts how much (render/chance.h). */
     bool sun_by_chance;
     Program program;
     Resources tables;
@@ -30,6 +30,8 @@ typedef struct Renderer {
     /* It holds the picture of before until the tables are ready. */
     Film film;
     Camera camera;
+    /* Where the picture may hold the sun's own image. */
+    SunImage sun_image;
     /* The pass that draws the sun's own image. */
     ImagePass image;
     /* Measured for groups of samples; it sets the size of the draws. */

@@ -67,7 +67,7 @@ SunImage sun_image(const Frame *frame) {
     const Scene *scene = frame->scene;
     const Camera *camera = &frame->camera;
     SunImage image = {0};
-    if (!frame->sun_disk->method->draws_image) return image;
+    if (!frame->sun_disk->method->has_disk) return image;
     SunDisk disk = disk_of(scene);
     add_rectangle(&image, camera_cone_rectangle(camera, disk.middle, disk.radius));
     for (int i = 0; i < scene_hint_count(scene, HINT_MIRROR_SPHERE); i++) {
@@ -80,6 +80,14 @@ SunImage sun_image(const Frame *frame) {
         add_rectangle(&image, camera_cone_rectangle(camera, direction, 1.1 * disk.radius));
     }
     return image;
+}
+
+void sun_image_pixels(const SunImage *image, int width, unsigned char *mask) {
+    for (int i = 0; i < image->count; i++) {
+        const Rectangle *r = &image->rectangles[i];
+        for (int y = r->y; y < r->y + r->height; y++)
+            memset(mask + (size_t)y * (size_t)width + (size_t)r->x, 1, (size_t)r->width);
+    }
 }
 
 /* sun_table, the table of radiances. */

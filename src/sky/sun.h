@@ -26,5 +26,8 @@ MUST_CHECK bool sun_choose(MethodChoice *choice, const char *text, const Scene *
 /* Fills <sun>, <sun-image>, <mirrors>, <mirrors-image> and <planes>. */
 void sun_slots(SlotList *slots, const MethodChoice *choice, const Scene *scene);
 
-/* The pixels of this frame that may hold the disk's image; none if the method does not draw it. */
+/* The pixels of this frame that may hold the disk's image; none if the method has no disk. */
 SunImage sun_image(const Frame *frame);
+
+/* Sets `mask`, one byte for each pixel of a picture of this width, to 1 in these pixels. */
+void sun_image_pixels(const SunImage *image, int width, unsigned char *mask);

@@ -51,12 +51,20 @@ void figures_error(const SideFigures *side, char *text, size_t size) {
         snprintf(text, size, "error not yet known");
 }
 
+void figures_levels(const SideFigures *side, char *text, size_t size) {
+    *text = 0;
+    if (isfinite(side->error_levels))
+        snprintf(text, size, "%.2g of 255 levels, %.2g in the worst tile", side->error_levels,
+                 side->worst_levels);
+}
+
 void figures_side(const SideFigures *side, char *text, size_t size) {
-    char progress[64], error[64];
+    char progress[64], error[64], levels[64];
     figures_progress(side, progress, sizeof progress);
     figures_error(side, error, sizeof error);
-    snprintf(text, size, "%s\n%s, %.1f Mpaths/s\n%s", side->methods, progress, 1e-6 * side->paths_per_second,
-             error);
+    figures_levels(side, levels, sizeof levels);
+    snprintf(text, size, "%s\n%s, %.1f Mpaths/s\n%s%s%s", side->methods, progress,
+             1e-6 * side->paths_per_second, error, *levels ? "\n" : "", levels);
 }
 
 void figures_pixel(const PixelFigures *pixel, char *text, size_t size) {

@@ -20,6 +20,8 @@ typedef struct SideFigures {
     uint64_t samples;
     /* The estimated error. NaN while it is not known. */
     double error_percent;
+    /* The same in 8-bit levels of the picture as it is shown: the RMS, and that of the worst 16x16 tile. */
+    double error_levels, worst_levels;
     /* The share of the picture's light that is found only by luck, percent; the error may leave it out. 0 if
      * there is none. */
     double chance_percent;
@@ -69,7 +71,10 @@ void figures_progress(const SideFigures *side, char *text, size_t size);
 /* Prints "error about 1.04 %". */
 void figures_error(const SideFigures *side, char *text, size_t size);
 
-/* Prints progress, error, methods and speed of a side in three lines. */
+/* Prints "2.3 of 255 levels, 5.1 in the worst tile", or nothing. */
+void figures_levels(const SideFigures *side, char *text, size_t size);
+
+/* Prints progress, error, methods and speed of a side in three lines or four. */
 void figures_side(const SideFigures *side, char *text, size_t size);
 
 /* Prints the figures of a pixel in five lines. */

@@ -47,6 +47,8 @@ void frame_log(const FrameLog *frame, const ViewState *state, const ViewFigures 
     log_number("rests", frame->rests);
     log_number("seconds", side->seconds);
     log_number("error_percent", side->error_percent);
+    log_number("error_levels", side->error_levels);
+    log_number("worst_levels", side->worst_levels);
     log_number("chance_light_percent", side->chance_percent);
     log_number("paths_per_s", side->paths_per_second);
     if (state->split) log_right(state, &figures->sides[1]);

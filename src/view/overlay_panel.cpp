@@ -146,12 +146,13 @@ static void side_section(const SideFigures *side) {
     snprintf(speed, sizeof speed, "%.1f Mpaths/s", 1e-6 * side->paths_per_second);
     ImGui::SameLine(em(panel_width) + ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(speed).x);
     ImGui::TextUnformatted(speed);
+    figures_levels(side, text, sizeof text);
+    ImGui::TextUnformatted(text);
     figures_progress(side, text, sizeof text);
     ImGui::TextUnformatted(text);
     ImGui::PushTextWrapPos(em(panel_width));
     if (side->chance_percent > 0)
-        ImGui::Text("%.2g %% of the light is found by chance: the error may not know it",
-                    side->chance_percent);
+        ImGui::Text("%.2g %% of the light is found by chance", side->chance_percent);
     ImGui::TextColored(grey, "%s", side->methods);
     ImGui::PopTextWrapPos();
     curve_plot(&side->curve);

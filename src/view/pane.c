@@ -1,8 +1,8 @@
 #include "view/pane.h"
 
 #include "base/clock.h"
+#include "base/memory.h"
 #include "base/text.h"
-#include "render/chance.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -92,7 +92,7 @@ static void forget_figures(Pane *pane) {
     pane->paths = 0;
     noise_destroy(&pane->noise);
     pane->curve.count = 0;
-    pane->error_percent = NAN;
+    pane->error_percent = pane->error_levels = pane->worst_levels = NAN;
     pane->chance_percent = 0;
 }
 
@@ -170,27 +170,57 @@ bool pane_rests(const Pane *pane, const PaneParams *params) {
     return pane_is_ready(pane) && !pane->preview_samples && pane->renderer.film.samples >= params->samples;
 }
 
+/* Begins the noise of a picture as the window shows it. */
+static Noise noise_begin(const Renderer *renderer, double gain) {
+    const Film *film = &renderer->film;
+    ToneTable tone = tone_table(TONE_AUTHOR, gain);
+    Noise noise = noise_create(film->width, film->height, &tone);
+    unsigned char *sun = memory_get((size_t)film->width * (size_t)film->height, 1);
+    sun_image_pixels(&renderer->sun_image, film->width, sun);
+    noise_leave_out(&noise, sun);
+    free(sun);
+    return noise;
+}
+
 /* The estimate needs the picture at each doubling of its samples. In between it needs only their number. */
-static bool estimate(Pane *pane, Error *error) {
+static bool measure_noise(Pane *pane, Error *error) {
     const Film *film = &pane->renderer.film;
-    Noise *noise = &pane->noise;
     Image mean;
     FilmCount count;
-    if (!noise->tiles)
-        *noise =
-            noise_create(film->width, film->height, pane->renderer.image.where.count ? NOISE_SUN_TRIM : 0);
-    for (int i = 0; i < noise->columns * noise->rows; i++) noise->tiles[i].samples = film->samples;
-    if (!(film->samples & (film->samples - 1))) {
-        if (!film_read(film, &mean, &count, error)) return false;
-        noise_measure(noise, &mean);
-        image_free(&mean);
-        pane->mean = noise->mean;
-        FilmChance chance;
-        if (!film_read_chance(film, &chance, error)) return false;
+    ChanceMap map;
+    if (!film_read(film, &mean, &count, error)) return false;
+    bool ok = chance_map_read(&map, film, error);
+    if (ok) {
+        ChanceShares chance = chance_shares(&map, &mean);
+        evidence_gather(&pane->noise, &map, &mean);
+        noise_measure(&pane->noise, &mean);
+        pane->mean = pane->noise.mean;
         pane->chance_percent = chance_matters(&chance) ? 100 * chance.light : 0;
+        chance_map_free(&map);
     }
-    double percent = noise_percent(noise);
-    pane->error_percent = percent < INFINITY ? percent : NAN;
+    image_free(&mean);
+    return ok;
+}
+
+static double known(double error) {
+    return error < INFINITY ? error : NAN;
+}
+
+static bool estimate(Pane *pane, const PaneParams *params, Error *error) {
+    const Renderer *renderer = &pane->renderer;
+    const Film *film = &renderer->film;
+    Noise *noise = &pane->noise;
+    double gain = exp2(params->scene->values.exposure_ev), rms, worst;
+    uint64_t paths = film->samples * (uint64_t)film->width * (uint64_t)film->height;
+    if (!noise->tiles) *noise = noise_begin(renderer, gain);
+    noise_show(noise, gain);
+    for (int i = 0; i < noise->columns * noise->rows; i++) noise->tiles[i].samples = film->samples;
+    if (!(film->samples & (film->samples - 1)) && !measure_noise(pane, error)) return false;
+    bool claimed = evidence_suffices(&renderer->plan, film->samples, paths) && noise->largest > 0;
+    noise_levels(noise, &rms, &worst);
+    pane->error_percent = claimed ? known(noise_error(noise, NOISE_RADIANCE)) : NAN;
+    pane->error_levels = claimed ? known(rms) : NAN;
+    pane->worst_levels = claimed ? known(worst) : NAN;
     return true;
 }
 
@@ -224,7 +254,7 @@ bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
     pane->seconds += taken;
     bool committed = !pane->preview_samples && film->samples > before;
     if (!committed) return true;
-    if (!estimate(pane, error)) return false;
+    if (!estimate(pane, params, error)) return false;
     curve_extend(&pane->curve, pane->seconds, pane->error_percent);
     return true;
 }

@@ -2,7 +2,7 @@
  * a coarser preview. */
 #pragma once
 
-#include "error/noise.h"
+#include "error/evidence.h"
 #include "render/renderer.h"
 #include "view/figures.h"
 #include "view/state.h"
@@ -53,7 +53,9 @@ typedef struct Pane {
     uint64_t paths;
     /* The estimated error. NaN while it is not known. */
     double error_percent;
-    /* The share of the picture's light that is left to chance (film_read_chance). 0 if that is not worth a
+    /* The same in 8-bit levels of the picture as it is shown, and in its worst tile. */
+    double error_levels, worst_levels;
+    /* The share of the picture's light that is left to chance (render/chance.h). 0 if that is not worth a
      * word. */
     double chance_percent;
     /* The mean radiance over pixels and channels. 0 while it is not known. */

@@ -231,6 +231,8 @@ static void fill_side(SideFigures *figures, const Pane *pane) {
              has_disk ? disk : "");
     figures->samples = pane_is_ready(pane) ? renderer->film.samples : 0;
     figures->error_percent = pane->error_percent;
+    figures->error_levels = pane->error_levels;
+    figures->worst_levels = pane->worst_levels;
     figures->chance_percent = pane->chance_percent;
     bool preview = pane->preview_samples && pane->preview_rate > 0;
     figures->paths_per_second = preview ? pane->preview_rate : pane->paths_per_second;
@@ -258,8 +260,11 @@ bool picture_figures(Picture *picture, const ViewState *state, ViewFigures *figu
     figures->gl_renderer = picture->context->renderer;
     figures->scene = !is_toy(picture);
     if (is_toy(picture)) {
-        figures->sides[0] = (SideFigures){
-            .samples = (uint64_t)picture->toy.frame, .error_percent = NAN, .coarseness = 1, .prepared = 1};
+        figures->sides[0] = (SideFigures){.samples = (uint64_t)picture->toy.frame,
+                                          .error_percent = NAN,
+                                          .error_levels = NAN,
+                                          .coarseness = 1,
+                                          .prepared = 1};
         return true;
     }
     for (int i = 0; i < MOST_SIDES; i++) fill_side(&figures->sides[i], &picture->panes[i]);

@@ -1,0 +1,71 @@
+#include "error/promise.h"
+
+#include "render/chance.h"
+
+#include <math.h>
+#include <stdio.h>
+
+double target_percent(ErrorTarget target, Tone tone) {
+    return target.measure == NOISE_LEVELS ? target.amount / tone_levels_per_percent(tone) : target.amount;
+}
+
+/* The part of the squared error that is due to light that no sample has found. */
+static double unmet_part(const Adaptive *adaptive) {
+    const Noise *noise = &adaptive->noise;
+    double unmet = 0, all = 0;
+    for (int i = 0; i < noise->columns * noise->rows; i++) {
+        const NoiseTile *tile = &noise->tiles[i];
+        unmet += tile->change[adaptive->measure].unmet / (double)tile->samples;
+        all += noise_of_tile(noise, tile, adaptive->measure, (double)tile->samples);
+    }
+    return all > 0 ? unmet / all : 0;
+}
+
+/* Prints "sunlight that is thrown by glass in 3 % of the pixels" behind `before`, and `after` behind that. */
+static void say_thrown(const char *before, unsigned materials, double pixels, const char *after,
+                       const SceneFacts *facts, Promise *promise) {
+    char throwers[128];
+    chance_throwers(materials, facts, throwers, sizeof throwers);
+    promise->pixels = pixels;
+    snprintf(promise->reason, sizeof promise->reason,
+             "%ssunlight that is thrown by %s in %.2g %% of the pixels %s", before, throwers, 100 * pixels,
+             after);
+}
+
+#define TOO_MANY "it would take more than 2^20 samples of a pixel, on average"
+
+/* What the picture has not reached, by what ended it. */
+static void say_unreached(const Adaptive *adaptive, const PromiseTerms *terms, Promise *promise) {
+    const Evidence *evidence = &adaptive->evidence;
+    if (terms->interrupted)
+        snprintf(promise->reason, sizeof promise->reason, "it was interrupted");
+    else if (adaptive->beyond >= 2 && evidence->thrown)
+        say_thrown(TOO_MANY ": ", evidence->thrown, evidence->thrown_pixels, "is found by chance",
+                   terms->facts, promise);
+    else if (adaptive->beyond >= 2)
+        snprintf(promise->reason, sizeof promise->reason, TOO_MANY);
+    else
+        snprintf(promise->reason, sizeof promise->reason, "the time was up");
+}
+
+Promise promise_judge(const Adaptive *adaptive, const PromiseTerms *terms) {
+    const Evidence *evidence = &adaptive->evidence;
+    Promise promise = {0};
+    if (adaptive->noise.largest <= 0) {
+        snprintf(promise.reason, sizeof promise.reason, "no path has found any light");
+        promise.pixels = 1;
+    } else if (isnan(terms->bias)) {
+        snprintf(promise.reason, sizeof promise.reason, "the sky's bias is not known here");
+    } else if (terms->bias > terms->target.amount) {
+        snprintf(promise.reason, sizeof promise.reason, "the sky alone may err by more, %.2g %s", terms->bias,
+                 terms->target.measure == NOISE_LEVELS ? "levels" : "%");
+    } else if (!terms->reached && evidence->unmet && unmet_part(adaptive) > 0.5) {
+        say_thrown("", evidence->unmet, evidence->pixels, "was found by too few paths to know its noise",
+                   terms->facts, &promise);
+    } else if (!terms->reached) {
+        say_unreached(adaptive, terms, &promise);
+    } else {
+        promise.given = true;
+    }
+    return promise;
+}
