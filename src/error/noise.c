@@ -18,7 +18,7 @@ static const double certainty = 1.05;
 
 /* The estimate of an error that is spread over so many pixels as independent numbers errs by 0.7 / sqrt(of
  * them) of itself. Up to this much is within the certainty. */
-static const double spread_error = 0.7, spread_within = 0.02;
+static const double spread_error = 0.7, spread_within = 0.05;
 
 /* What the worst tile may have for each level of the picture. */
 static const double tile_share = 2;
@@ -118,6 +118,19 @@ static double levels_change(const ToneTable *tone, const float *now, const float
     return (double)(sum / 3);
 }
 
+static void measure_row(Noise *noise, NoiseTile *tile, const Image *mean, int y) {
+    size_t first = (size_t)y * (size_t)noise->width + (size_t)tile->pixels.x;
+    for (size_t pixel = first; pixel < first + (size_t)tile->pixels.width; pixel++) {
+        const float *now = mean->rgba + 4 * pixel;
+        float *before = noise->before + 3 * pixel;
+        if (!noise->left_out[pixel]) {
+            add_change(&tile->change[NOISE_RADIANCE], radiance_change(now, before));
+            if (noise->tone) add_change(&tile->change[NOISE_LEVELS], levels_change(noise->tone, now, before));
+        }
+        for (int c = 0; c < 3; c++) before[c] = now[c];
+    }
+}
+
 /* Notes how much the pixels of a tile have changed, and keeps the mean for the next comparison. */
 static void measure_tile(Noise *noise, NoiseTile *tile, const Image *mean) {
     const Rectangle *r = &tile->pixels;
@@ -125,16 +138,7 @@ static void measure_tile(Noise *noise, NoiseTile *tile, const Image *mean) {
         NoiseChange *change = &tile->change[i];
         *change = (NoiseChange){.earlier = change->now, .unmet = change->unmet};
     }
-    for (int k = 0; k < r->width * r->height; k++) {
-        size_t pixel = pixel_of(noise, r, k);
-        const float *now = mean->rgba + 4 * pixel;
-        float *before = noise->before + 3 * pixel;
-        if (!noise->left_out[pixel]) {
-            add_change(&tile->change[NOISE_RADIANCE], radiance_change(now, before));
-            if (noise->tone) add_change(&tile->change[NOISE_LEVELS], levels_change(noise->tone, now, before));
-        }
-        memcpy(before, now, 3 * sizeof *before);
-    }
+    for (int y = r->y; y < r->y + r->height; y++) measure_row(noise, tile, mean, y);
     tile->measured = tile->samples;
     tile->times++;
 }
@@ -180,14 +184,18 @@ static void measure_caution(Noise *noise, NoiseMeasure measure) {
 }
 
 static void measure_mean(Noise *noise, const Image *mean) {
-    size_t values = 4 * (size_t)noise->width * (size_t)noise->height;
+    size_t pixels = (size_t)noise->width * (size_t)noise->height;
     double sum = 0;
-    noise->largest = 0;
-    for (size_t i = 0; i < values; i++) {
-        if (i % 4 == 3 || noise->left_out[i / 4]) continue;
-        sum += (double)mean->rgba[i];
-        noise->largest = fmaxf(noise->largest, mean->rgba[i]);
+    float largest = 0;
+    for (size_t i = 0; i < pixels; i++) {
+        const float *rgb = mean->rgba + 4 * i;
+        if (noise->left_out[i]) continue;
+        for (int c = 0; c < 3; c++) {
+            sum += (double)rgb[c];
+            largest = rgb[c] > largest ? rgb[c] : largest;
+        }
     }
+    noise->largest = largest;
     noise->mean = fmax(sum / (double)(noise->counted * 3), NOISE_LEAST_MEAN);
 }
 
