@@ -62,7 +62,7 @@ $(TESTS:=.o): | cmocka
 cmocka:
 	@pkg-config --exists cmocka || tools/deps.sh --missing test
 
-# The window's overlay is the host's one part in C++.
+# The window's overlay and the reader of lossy EXR files are the host's parts in C++.
 $(BUILD)/src/%.o: src/%.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	@echo compile $<

@@ -129,7 +129,8 @@ static void test_pictures(void **state) {
         for (int i = 0; i < TRIES; i++) {
             Text broken = mutate(&file);
             Image got;
-            bool ok = kind ? pfm_decode(&got, "x", &broken, &error) : exr_decode(&got, "x", &broken, &error);
+            bool ok =
+                kind ? pfm_decode(&got, "x", &broken, &error) : exr_decode(&got, "x", &broken, NULL, &error);
             if (ok)
                 assert_true(got.width > 0 && got.height > 0 && got.rgba);
             else

@@ -178,7 +178,7 @@ static void test_unreadable(void **state) {
 static bool survives(const Text *file, bool exr) {
     Error error;
     Image image;
-    bool read = exr ? exr_decode(&image, "x", file, &error) : pfm_decode(&image, "x", file, &error);
+    bool read = exr ? exr_decode(&image, "x", file, NULL, &error) : pfm_decode(&image, "x", file, &error);
     if (read) {
         assert_non_null(image.rgba);
     } else {

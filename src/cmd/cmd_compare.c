@@ -13,10 +13,21 @@
 
 typedef struct CompareJob {
     Image a, b, standard_error, mask;
+    /* How the two files were read. */
+    Text said[2];
     /* The pixels of the sun's image in either picture. */
     unsigned char *sun;
     Comparison result;
 } CompareJob;
+
+/* A line for each that is known of how a file was read. */
+static void print_said(const char *file, const Text *said) {
+    for (const char *line = text_string(said); *line;) {
+        size_t length = strcspn(line, "\n");
+        printf("read %s       %.*s\n", file, (int)length, line);
+        line += length + (line[length] == '\n');
+    }
+}
 
 static void print_comparison(const Comparison *c) {
     const Levels *levels = &c->levels;
@@ -28,7 +39,10 @@ static void print_comparison(const Comparison *c) {
     printf("levels RMS   %.4f of 255\n", levels->rms);
     printf("  worst tile %.4f of 255, %dx%d pixels at %d,%d\n", levels->worst_tile, LEVELS_TILE, LEVELS_TILE,
            levels->worst_x, levels->worst_y);
-    printf("pixels       %ld, %ld not finite\n", c->pixels, c->nonfinite);
+    printf("pixels       %ld, %ld not finite", c->pixels, c->nonfinite);
+    if (c->nonfinite) printf(", the first at %d,%d", c->nonfinite_x, c->nonfinite_y);
+    printf("\n");
+    if (c->outside) printf("outside      %ld left out, as a file's data window lacks them\n", c->outside);
     printf("sun pixels   %ld left out\n", c->sun_pixels);
     if (c->has_z) printf("mean z^2     %.4f, |z| > 4 in %.4f %%\n", c->mean_z2, c->share_z4_percent);
 }
@@ -80,10 +94,19 @@ static double exposure(const Options *options) {
     return exposure_ev;
 }
 
+/* The layer that was asked for; NULL stands for the picture itself, and so does an empty name. */
+static const char *layer(const Options *options, int input) {
+    const char *name = options->layer_count ? options->layers[options->layer_count > 1 ? input : 0] : NULL;
+    return name && *name ? name : NULL;
+}
+
 static bool compare(CompareJob *job, const Options *options, Error *error) {
+    ImageReadParams read_a = {.layer = layer(options, 0), .said = &job->said[0]};
+    ImageReadParams read_b = {.layer = layer(options, 1), .said = &job->said[1]};
     bool none = options->tone && strcmp(options->tone, "none") == 0;
     CompareOptions how = {.tone = none ? TONE_NONE : TONE_AUTHOR};
-    if (!image_read(&job->a, options->inputs[0], error) || !image_read(&job->b, options->inputs[1], error) ||
+    if (!image_read_as(&job->a, options->inputs[0], &read_a, error) ||
+        !image_read_as(&job->b, options->inputs[1], &read_b, error) ||
         !read_optional(options->standard_error, &job->standard_error, error) ||
         !read_optional(options->mask, &job->mask, error) || !find_sun(job, options, error))
         return false;
@@ -94,18 +117,37 @@ static bool compare(CompareJob *job, const Options *options, Error *error) {
     return compare_images(&job->a, &job->b, &how, &job->result, error);
 }
 
+static void job_free(CompareJob *job) {
+    image_free(&job->a);
+    image_free(&job->b);
+    image_free(&job->standard_error);
+    image_free(&job->mask);
+    text_free(&job->said[0]);
+    text_free(&job->said[1]);
+    free(job->sun);
+}
+
+static Status verdict(const Comparison *result, const Options *options, Error *error) {
+    if (all_within(result, options)) return STATUS_DONE;
+    if (result->nonfinite)
+        error_set(error, STATUS_COMPARISON,
+                  "%s differs from %s: %ld pixels are not finite, the first at %d,%d", options->inputs[0],
+                  options->inputs[1], result->nonfinite, result->nonfinite_x, result->nonfinite_y);
+    else
+        error_set(error, STATUS_COMPARISON, "%s differs from %s by more than allowed", options->inputs[0],
+                  options->inputs[1]);
+    return STATUS_COMPARISON;
+}
+
 Status cmd_compare(const Options *options, Error *error) {
     CompareJob job = {0};
     bool ok = compare(&job, options, error);
-    image_free(&job.a);
-    image_free(&job.b);
-    image_free(&job.standard_error);
-    image_free(&job.mask);
-    free(job.sun);
-    if (!ok) return error->status;
-    print_comparison(&job.result);
-    if (all_within(&job.result, options)) return STATUS_DONE;
-    error_set(error, STATUS_COMPARISON, "%s differs from %s by more than allowed", options->inputs[0],
-              options->inputs[1]);
-    return STATUS_COMPARISON;
+    if (ok) {
+        print_said("A", &job.said[0]);
+        print_said("B", &job.said[1]);
+        print_comparison(&job.result);
+    }
+    Status status = ok ? verdict(&job.result, options, error) : error->status;
+    job_free(&job);
+    return status;
 }

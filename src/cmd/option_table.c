@@ -74,6 +74,10 @@ const OptionRow option_table[] = {
      NULL},
     {GROUP_OUTPUT, "--json", NULL, F, FLAG(json),
      "all of them as JSON lines, with the uniforms and the tables of each", NULL},
+    {GROUP_OUTPUT, "--layer", "NAME", C, TAKE(take_layer),
+     "the layer or part of both EXR files; given twice, that of A and then that of B ('' is the picture "
+     "itself)",
+     NULL},
     {GROUP_OUTPUT, "--mask", "FILE", C, STRING(mask), "compare only where this picture's red is above 0.5",
      NULL},
     {GROUP_OUTPUT, "--with-sun", NULL, C, FLAG(with_sun),

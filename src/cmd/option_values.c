@@ -26,6 +26,14 @@ bool take_setting(Options *options, const char *name, const char *value, Error *
     return true;
 }
 
+bool take_layer(Options *options, const char *name, const char *value, Error *error) {
+    enum { MOST = sizeof options->layers / sizeof *options->layers };
+    if (options->layer_count == MOST)
+        return error_set(error, STATUS_USAGE, "%s more than %d times", name, MOST);
+    options->layers[options->layer_count++] = value;
+    return true;
+}
+
 bool take_size(Options *options, const char *name, const char *value, Error *error) {
     const char *cross = strchr(value, 'x');
     char width[16] = "";

@@ -84,4 +84,8 @@ typedef struct Options {
 
     /* For `compare`: the pixels of the sun's own image are compared too. */
     bool with_sun;
+
+    /* For `compare`: the layer of both pictures, or of A and of B. */
+    const char *layers[2];
+    int layer_count;
 } Options;

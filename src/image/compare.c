@@ -3,6 +3,7 @@
 #include "base/memory.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,10 +19,23 @@ typedef struct Gathered {
     double z_squares;
 } Gathered;
 
+/* What of the picture its file held, in parentheses, if that was a part; else "". */
+static void part_print(const Image *image, char *text, size_t size) {
+    const Rectangle *data = &image->data;
+    *text = 0;
+    if (data->width)
+        snprintf(text, size, " (its display window; its data are %dx%d at %d,%d)", data->width, data->height,
+                 data->x, data->y);
+}
+
 static bool size_check(const Image *image, const Image *b, const char *what, Error *error) {
     if (!image || (image->width == b->width && image->height == b->height)) return true;
-    return error_set(error, STATUS_USAGE, "%s is %dx%d, the reference %dx%d: they must have the same size",
-                     what, image->width, image->height, b->width, b->height);
+    char part[128], part_b[128];
+    part_print(image, part, sizeof part);
+    part_print(b, part_b, sizeof part_b);
+    return error_set(error, STATUS_USAGE,
+                     "%s is %dx%d%s, the reference %dx%d%s: they must have the same size", what, image->width,
+                     image->height, part, b->width, b->height, part_b);
 }
 
 static bool pixel_is_finite(const float *a, const float *b) {
@@ -145,12 +159,19 @@ static void gather(Gathered *sums, const Image *a, const Image *b, const Compare
             result->sun_pixels++;
             continue;
         }
+        int x = (int)(pixel % (size_t)b->width), y = (int)(pixel / (size_t)b->width);
+        if (!image_holds(a, x, y) || !image_holds(b, x, y)) {
+            result->outside++;
+            continue;
+        }
         result->pixels++;
         compared[pixel] = pixel_is_finite(a->rgba + i, b->rgba + i);
-        if (compared[pixel])
+        if (compared[pixel]) {
             gather_pixel(sums, a->rgba + i, b->rgba + i, standard_error ? standard_error->rgba + i : NULL);
-        else
-            result->nonfinite++;
+        } else if (!result->nonfinite++) {
+            result->nonfinite_x = x;
+            result->nonfinite_y = y;
+        }
     }
 }
 
@@ -181,5 +202,7 @@ bool compare_images(const Image *a, const Image *b, const CompareOptions *option
     free(sums.distances);
     if (result->pixels) return true;
     return error_set(error, STATUS_USAGE, "no pixel to compare: %s",
-                     result->sun_pixels ? "all hold the sun's own image" : "the mask admits none");
+                     result->outside      ? "no file holds what the other one does"
+                     : result->sun_pixels ? "all hold the sun's own image"
+                                          : "the mask admits none");
 }

@@ -24,13 +24,18 @@ typedef struct CompareOptions {
  * If a figure is divided by a mean of 0, it is 0 where the pictures are equal and infinite where they are
  * not. If no pixel is finite, the percentages are infinite, so that such pictures are within no bound. */
 typedef struct Comparison {
-    /* Pixels that are compared: the mask admits them, and they do not hold the sun's image. */
+    /* Pixels that are compared: the mask admits them, both files held them, and they do not hold the sun's
+     * image. */
     long pixels;
     /* Pixels that the mask admits, but that hold the sun's image. They are left out of all figures below. */
     long sun_pixels;
-    /* Those of the compared pixels that are not finite in one of the pictures. They are left out of all
-     * figures below. */
+    /* Pixels that the mask admits, but that one of the files did not hold (image_holds). They are left out of
+     * all figures below. */
+    long outside;
+    /* Those of the compared pixels that are not finite in one of the pictures, and the first of them. They
+     * are left out of all figures below. */
     long nonfinite;
+    int nonfinite_x, nonfinite_y;
     /* sqrt(mean((a - b)^2)) / mean(b). */
     double rel_rmse_percent;
     /* The same without the 0.1 % of the pixels that differ most. They are left out of mean(b) too. */

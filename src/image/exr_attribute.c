@@ -16,8 +16,12 @@ bool exr_attribute(const char *path, const char *name, Text *value) {
     const exr_attribute_t *attribute = NULL;
     settings.error_handler_fn = complaint_ignore;
     if (exr_start_read(&file, path, &settings) != EXR_ERR_SUCCESS) return false;
-    bool found = exr_get_attribute_by_name(file, 0, name, &attribute) == EXR_ERR_SUCCESS &&
-                 attribute->type == EXR_ATTR_STRING;
+    int parts = 0;
+    bool found = false;
+    if (exr_get_count(file, &parts) != EXR_ERR_SUCCESS) parts = 0;
+    for (int part = 0; !found && part < parts; part++)
+        found = exr_get_attribute_by_name(file, part, name, &attribute) == EXR_ERR_SUCCESS &&
+                attribute->type == EXR_ATTR_STRING;
     if (found) text_append(value, attribute->string->str, (size_t)attribute->string->length);
     exr_finish(&file);
     return found;

@@ -1,59 +1,20 @@
 #include "image/codec.h"
+#include "image/exr_layers.h"
+#include "image/exr_lossy.h"
 #include "image/exr_stream.h"
 
+#include <math.h>
 #include <string.h>
 
 typedef struct Reader {
     exr_context_t file;
+    /* The pixels of the data window. */
     Image *image;
-    exr_attr_box2i_t window;
-    int channels[4]; /* which of the file's channels are R, G, B, A; -1 if there is none */
+    exr_attr_box2i_t data, display;
+    exr_storage_t storage;
+    exr_compression_t compression;
+    ExrLayer layer;
 } Reader;
-
-static int channel_find(const exr_attr_chlist_t *list, const char *layer, int layer_length, char letter) {
-    for (int i = 0; i < list->num_channels; i++) {
-        const exr_attr_string_t *name = &list->entries[i].name;
-        if (name->length == layer_length + 1 && name->str[layer_length] == letter &&
-            memcmp(name->str, layer, (size_t)layer_length) == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
-
-/* The channels "R" to "A" behind the layer's name and dot; whether there are at least the first three. */
-static bool layer_find(const exr_attr_chlist_t *list, const char *layer, int layer_length, int channels[4]) {
-    for (int c = 0; c < 4; c++) channels[c] = channel_find(list, layer, layer_length, "RGBA"[c]);
-    return channels[0] >= 0 && channels[1] >= 0 && channels[2] >= 0;
-}
-
-static bool channels_choose(const exr_attr_chlist_t *list, Reader *reader) {
-    if (layer_find(list, "", 0, reader->channels)) return true;
-    int layers = 0, candidate[4];
-    for (int i = 0; i < list->num_channels; i++) {
-        const exr_attr_string_t *name = &list->entries[i].name;
-        if (name->length < 2 || memcmp(name->str + name->length - 2, ".R", 2) != 0) continue;
-        if (!layer_find(list, name->str, name->length - 1, candidate)) continue;
-        memcpy(reader->channels, candidate, sizeof candidate);
-        layers++;
-    }
-    if (layers) return layers == 1;
-    int y = channel_find(list, "", 0, 'Y');
-    reader->channels[0] = reader->channels[1] = reader->channels[2] = y;
-    return y >= 0 && channel_find(list, "R", 1, 'Y') < 0; /* RY and BY would be its colour */
-}
-
-static bool channels_error(const exr_attr_chlist_t *list, const char *path, Error *error) {
-    Text names = {0};
-    for (int i = 0; i < list->num_channels; i++)
-        text_print(&names, "%s %s", i ? "," : "", list->entries[i].name.str);
-    if (names.data) exr_line_clean(names.data);
-    error_set(error, STATUS_FAILURE,
-              "%s: EXR with neither R, G, B nor one layer of them nor Y; its channels:%s", path,
-              names.size ? text_string(&names) : " none");
-    text_free(&names);
-    return false;
-}
 
 static uint32_t bits_load(const uint8_t *bytes, int count) {
     uint32_t bits = 0;
@@ -87,7 +48,7 @@ static void chunk_unpack(const Reader *reader, const exr_decode_pipeline_t *pipe
         for (int i = 0; i < pipeline->channel_count; i++) {
             const exr_coding_channel_info_t *channel = &pipeline->channels[i];
             for (int c = 0; c < 4; c++) {
-                if (reader->channels[c] != i) continue;
+                if (reader->layer.channels[c] != i) continue;
                 for (int x = 0; x < channel->width; x++) {
                     place[4 * x + c] = value_load(bytes + x * channel->bytes_per_element, channel->data_type);
                 }
@@ -117,11 +78,11 @@ static bool chunk_fits(const Reader *reader, const exr_decode_pipeline_t *pipeli
  * its own unpacking, as of 3.1.5, writes through the NULL that stands for an unwanted channel. */
 static exr_result_t chunk_decode(const Reader *reader, const exr_chunk_info_t *chunk, int x, int y) {
     exr_decode_pipeline_t pipeline = EXR_DECODE_PIPELINE_INITIALIZER;
-    exr_result_t result = exr_decoding_initialize(reader->file, 0, chunk, &pipeline);
+    exr_result_t result = exr_decoding_initialize(reader->file, reader->layer.part, chunk, &pipeline);
     if (!result && !chunk_fits(reader, &pipeline, x, y)) result = EXR_ERR_CORRUPT_CHUNK;
-    if (!result) result = exr_decoding_choose_default_routines(reader->file, 0, &pipeline);
+    if (!result) result = exr_decoding_choose_default_routines(reader->file, reader->layer.part, &pipeline);
     pipeline.unpack_and_convert_fn = NULL;
-    if (!result) result = exr_decoding_run(reader->file, 0, &pipeline);
+    if (!result) result = exr_decoding_run(reader->file, reader->layer.part, &pipeline);
     if (!result && !pipeline.unpacked_buffer) result = EXR_ERR_CORRUPT_CHUNK;
     if (!result) {
         float *place = reader->image->rgba + 4 * ((size_t)y * (size_t)reader->image->width + (size_t)x);
@@ -133,10 +94,11 @@ static exr_result_t chunk_decode(const Reader *reader, const exr_chunk_info_t *c
 
 static exr_result_t scanlines_decode(const Reader *reader) {
     int32_t lines = 0;
-    exr_result_t result = exr_get_scanlines_per_chunk(reader->file, 0, &lines);
+    exr_result_t result = exr_get_scanlines_per_chunk(reader->file, reader->layer.part, &lines);
     for (int y = 0; !result && y < reader->image->height; y += lines) {
         exr_chunk_info_t chunk;
-        result = exr_read_scanline_chunk_info(reader->file, 0, reader->window.min.y + y, &chunk);
+        result =
+            exr_read_scanline_chunk_info(reader->file, reader->layer.part, reader->data.min.y + y, &chunk);
         if (!result) result = chunk_decode(reader, &chunk, 0, y);
     }
     return result;
@@ -145,15 +107,98 @@ static exr_result_t scanlines_decode(const Reader *reader) {
 /* The first level, which is the whole picture. */
 static exr_result_t tiles_decode(const Reader *reader) {
     int32_t width = 0, height = 0;
-    exr_result_t result = exr_get_tile_sizes(reader->file, 0, 0, 0, &width, &height);
+    exr_result_t result = exr_get_tile_sizes(reader->file, reader->layer.part, 0, 0, &width, &height);
     for (int y = 0; !result && y < reader->image->height; y += height) {
         for (int x = 0; !result && x < reader->image->width; x += width) {
             exr_chunk_info_t chunk;
-            result = exr_read_tile_chunk_info(reader->file, 0, x / width, y / height, 0, 0, &chunk);
+            result = exr_read_tile_chunk_info(reader->file, reader->layer.part, x / width, y / height, 0, 0,
+                                              &chunk);
             if (!result) result = chunk_decode(reader, &chunk, x, y);
         }
     }
     return result;
+}
+
+static bool broken_error(const char *reason, const char *path, Error *error) {
+    return error_set(error, STATUS_FAILURE, "%s: broken EXR: %s", path, reason);
+}
+
+/* As of 3.1.5, OpenEXR's C library lacks DWA, and its B44 gives wrong pictures. */
+static bool is_lossy(exr_compression_t compression) {
+    return compression > EXR_COMPRESSION_PXR24;
+}
+
+static bool lossy_decode(const Reader *reader, const Text *file, const char *path, Error *error) {
+    const exr_attr_chlist_t *list = NULL;
+    const char *names[4] = {NULL};
+    char reason[256];
+    exr_result_t result = exr_get_channels(reader->file, reader->layer.part, &list);
+    if (result) return broken_error(exr_reason(result), path, error);
+    for (int c = 0; c < 4; c++) {
+        if (reader->layer.channels[c] >= 0) names[c] = list->entries[reader->layer.channels[c]].name.str;
+    }
+    ExrLossy lossy = {
+        .file = file, .part = reader->layer.part, .x = reader->data.min.x, .y = reader->data.min.y};
+    memcpy(lossy.channels, names, sizeof names);
+    if (exr_lossy_decode(&lossy, reader->image, reason, sizeof reason)) return true;
+    exr_line_clean(reason);
+    return broken_error(reason, path, error);
+}
+
+static bool pixels_decode(const Reader *reader, const Text *file, const char *path, Error *error) {
+    if (is_lossy(reader->compression)) return lossy_decode(reader, file, path, error);
+    exr_result_t result =
+        reader->storage == EXR_STORAGE_TILED ? tiles_decode(reader) : scanlines_decode(reader);
+    return result ? broken_error(exr_reason(result), path, error) : true;
+}
+
+static bool size_check(exr_attr_box2i_t window, const char *what, const char *path, Error *error) {
+    int64_t width = (int64_t)window.max.x - window.min.x + 1;
+    int64_t height = (int64_t)window.max.y - window.min.y + 1;
+    if (width >= 1 && height >= 1 && width <= IMAGE_SIDE_MAX && height <= IMAGE_SIDE_MAX &&
+        width * height <= IMAGE_PIXELS_MAX)
+        return true;
+    return error_set(error, STATUS_FAILURE,
+                     "%s: EXR with a %s window of %lldx%lld: at most %dx%d and %ld pixels can be read", path,
+                     what, (long long)width, (long long)height, IMAGE_SIDE_MAX, IMAGE_SIDE_MAX,
+                     IMAGE_PIXELS_MAX);
+}
+
+static bool windows_check(const Reader *reader, const char *path, Error *error) {
+    const exr_attr_box2i_t *data = &reader->data, *display = &reader->display;
+    if (!size_check(*data, "data", path, error) || !size_check(*display, "display", path, error))
+        return false;
+    if (data->min.x <= display->max.x && data->max.x >= display->min.x && data->min.y <= display->max.y &&
+        data->max.y >= display->min.y)
+        return true;
+    return error_set(error, STATUS_FAILURE,
+                     "%s: EXR whose data window (from %d,%d to %d,%d) is outside of its display window (from "
+                     "%d,%d to %d,%d)",
+                     path, data->min.x, data->min.y, data->max.x, data->max.y, display->min.x, display->min.y,
+                     display->max.x, display->max.y);
+}
+
+/* Everything up to the pixels: fills the reader, and the size of the data window. */
+static bool header_read(Reader *reader, const char *path, Error *error) {
+    int part = reader->layer.part;
+    const exr_attr_chlist_t *list = NULL;
+    exr_result_t result = exr_get_storage(reader->file, part, &reader->storage);
+    if (!result) result = exr_get_compression(reader->file, part, &reader->compression);
+    if (!result) result = exr_get_data_window(reader->file, part, &reader->data);
+    if (!result) result = exr_get_display_window(reader->file, part, &reader->display);
+    if (!result) result = exr_get_channels(reader->file, part, &list);
+    if (result) return broken_error(exr_reason(result), path, error);
+
+    if (reader->storage != EXR_STORAGE_SCANLINE && reader->storage != EXR_STORAGE_TILED)
+        return error_set(error, STATUS_FAILURE, "%s: deep EXR pictures cannot be read", path);
+    for (int i = 0; i < list->num_channels; i++) {
+        if (list->entries[i].x_sampling != 1 || list->entries[i].y_sampling != 1)
+            return error_set(error, STATUS_FAILURE, "%s: EXR with subsampled channels cannot be read", path);
+    }
+    if (!windows_check(reader, path, error)) return false;
+    *reader->image = image_create(reader->data.max.x - reader->data.min.x + 1,
+                                  reader->data.max.y - reader->data.min.y + 1);
+    return true;
 }
 
 static void alpha_fill(Image *image) {
@@ -161,68 +206,79 @@ static void alpha_fill(Image *image) {
     for (size_t i = 0; i < pixels; i++) image->rgba[4 * i + 3] = 1;
 }
 
-static bool broken_error(exr_result_t result, const char *path, Error *error) {
-    return error_set(error, STATUS_FAILURE, "%s: broken EXR: %s", path, exr_reason(result));
+/* CIE 1931, to the primaries of sRGB with its white, D65 (IEC 61966-2-1). */
+static void rgb_from_xyz(Image *image) {
+    static const double matrix[3][3] = {{3.2404541621, -1.5371385128, -0.4985314096},
+                                        {-0.9692660305, 1.8760108454, 0.0415560175},
+                                        {0.0556434310, -0.2040259135, 1.0572251882}};
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    for (float *pixel = image->rgba; pixel < image->rgba + 4 * pixels; pixel += 4) {
+        double x = (double)pixel[0], y = (double)pixel[1], z = (double)pixel[2];
+        for (int c = 0; c < 3; c++)
+            pixel[c] = (float)(matrix[c][0] * x + matrix[c][1] * y + matrix[c][2] * z);
+    }
 }
 
-/* As of 3.1.5, OpenEXR's C library lacks DWA, and its B44 gives wrong pictures. */
-static bool compression_is_readable(exr_compression_t compression) {
-    return compression <= EXR_COMPRESSION_PXR24;
+/* Says so if the file's red, green and blue are others than sRGB's. */
+static void primaries_say(const Reader *reader, Text *said) {
+    static const float srgb[] = {0.64F, 0.33F, 0.3F, 0.6F, 0.15F, 0.06F, 0.3127F, 0.329F};
+    exr_attr_chromaticities_t c;
+    if (!said || exr_attr_get_chromaticities(reader->file, reader->layer.part, "chromaticities", &c)) return;
+    const float its[] = {c.red_x, c.red_y, c.green_x, c.green_y, c.blue_x, c.blue_y, c.white_x, c.white_y};
+    for (int i = 0; i < 8; i++) {
+        if (fabsf(its[i] - srgb[i]) <= 0.001F) continue;
+        text_print(said, "its primaries or its white are not sRGB's: values are taken as they are\n");
+        return;
+    }
 }
 
-/* Everything up to the pixels: fills the reader, and the picture's size. */
-static bool header_read(Reader *reader, exr_storage_t *storage, const char *path, Error *error) {
-    const exr_attr_chlist_t *list = NULL;
-    exr_compression_t compression;
-    exr_result_t result = exr_get_storage(reader->file, 0, storage);
-    if (!result) result = exr_get_compression(reader->file, 0, &compression);
-    if (!result) result = exr_get_data_window(reader->file, 0, &reader->window);
-    if (!result) result = exr_get_channels(reader->file, 0, &list);
-    if (result) return broken_error(result, path, error);
+/* Puts the pixels of the data window where they lie in the display window. */
+static void window_place(const Reader *reader, Text *said) {
+    const exr_attr_box2i_t *data = &reader->data, *display = &reader->display;
+    if (memcmp(data, display, sizeof *data) == 0) return;
+    Image *from = reader->image;
+    Image placed = image_create(display->max.x - display->min.x + 1, display->max.y - display->min.y + 1);
+    int dx = data->min.x - display->min.x, dy = data->min.y - display->min.y;
+    int left = dx > 0 ? dx : 0, top = dy > 0 ? dy : 0;
+    int right = from->width + dx < placed.width ? from->width + dx : placed.width;
+    int bottom = from->height + dy < placed.height ? from->height + dy : placed.height;
+    for (int y = top; y < bottom; y++) {
+        memcpy(placed.rgba + 4 * ((size_t)y * (size_t)placed.width + (size_t)left),
+               from->rgba + 4 * ((size_t)(y - dy) * (size_t)from->width + (size_t)(left - dx)),
+               4 * sizeof(float) * (size_t)(right - left));
+    }
+    placed.data = (Rectangle){left, top, right - left, bottom - top};
+    if (said)
+        text_print(said, "display window of %dx%d, data window of %dx%d at %d,%d in it\n", placed.width,
+                   placed.height, from->width, from->height, dx, dy);
+    image_free(from);
+    *from = placed;
+}
 
-    if (*storage != EXR_STORAGE_SCANLINE && *storage != EXR_STORAGE_TILED) {
-        return error_set(error, STATUS_FAILURE, "%s: deep EXR pictures cannot be read", path);
-    }
-    if (!compression_is_readable(compression)) {
-        return error_set(
-            error, STATUS_FAILURE,
-            "%s: EXR pictures compressed by B44 or DWA cannot be read: use ZIP, PIZ, RLE or none", path);
-    }
-    int64_t width = (int64_t)reader->window.max.x - reader->window.min.x + 1;
-    int64_t height = (int64_t)reader->window.max.y - reader->window.min.y + 1;
-    if (width < 1 || height < 1 || width > IMAGE_SIDE_MAX || height > IMAGE_SIDE_MAX ||
-        width * height > IMAGE_PIXELS_MAX) {
-        return error_set(
-            error, STATUS_FAILURE, "%s: EXR of %lldx%lld: at most %dx%d and %ld pixels can be read", path,
-            (long long)width, (long long)height, IMAGE_SIDE_MAX, IMAGE_SIDE_MAX, IMAGE_PIXELS_MAX);
-    }
-    for (int i = 0; i < list->num_channels; i++) {
-        if (list->entries[i].x_sampling != 1 || list->entries[i].y_sampling != 1) {
-            return error_set(error, STATUS_FAILURE, "%s: EXR with subsampled channels cannot be read", path);
-        }
-    }
-    if (!channels_choose(list, reader)) return channels_error(list, path, error);
-    *reader->image = image_create((int)width, (int)height);
+static bool picture_read(Reader *reader, const char *path, const Text *file, const ImageReadParams *params,
+                         Error *error) {
+    if (!exr_layer_find(reader->file, params->layer, path, &reader->layer, params->said, error) ||
+        !header_read(reader, path, error) || !pixels_decode(reader, file, path, error))
+        return false;
+    if (reader->layer.channels[3] < 0) alpha_fill(reader->image);
+    if (reader->layer.plain && reader->layer.kind == EXR_KIND_XYZ) rgb_from_xyz(reader->image);
+    if (reader->layer.kind == EXR_KIND_RGB) primaries_say(reader, params->said);
+    window_place(reader, params->said);
     return true;
 }
 
-bool exr_decode(Image *image, const char *path, const Text *file, Error *error) {
+bool exr_decode(Image *image, const char *path, const Text *file, const ImageReadParams *params,
+                Error *error) {
     *image = (Image){0};
     ExrStream stream = {.in = file};
     exr_context_initializer_t settings = exr_settings(&stream);
     /* Broken headers and truncated pictures are errors: OpenEXR would make up what is missing. */
     settings.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
 
-    Reader reader = {.image = image, .channels = {-1, -1, -1, -1}};
+    Reader reader = {.image = image};
     exr_result_t result = exr_start_read(&reader.file, path, &settings);
-    if (result) return broken_error(result, path, error);
-    exr_storage_t storage;
-    bool read = header_read(&reader, &storage, path, error);
-    if (read) {
-        result = storage == EXR_STORAGE_TILED ? tiles_decode(&reader) : scanlines_decode(&reader);
-        read = result ? broken_error(result, path, error) : true;
-    }
-    if (read && reader.channels[3] < 0) alpha_fill(image);
+    if (result) return broken_error(exr_reason(result), path, error);
+    bool read = picture_read(&reader, path, file, params ? params : &(ImageReadParams){0}, error);
     exr_finish(&reader.file);
     if (!read) image_free(image);
     return read;

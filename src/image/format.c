@@ -65,13 +65,20 @@ bool image_write(const Image *image, const char *path, const ImageWriteParams *p
 }
 
 bool image_read(Image *image, const char *path, Error *error) {
+    return image_read_as(image, path, NULL, error);
+}
+
+bool image_read_as(Image *image, const char *path, const ImageReadParams *params, Error *error) {
     *image = (Image){0};
     Text file = {0};
     bool read = file_read(path, STATUS_FAILURE, &file, error);
     if (read) {
         const char *start = text_string(&file);
         if (file.size >= 4 && memcmp(start, "\x76\x2f\x31\x01", 4) == 0) {
-            read = exr_decode(image, path, &file, error);
+            read = exr_decode(image, path, &file, params, error);
+        } else if (params && params->layer) {
+            read = error_set(error, STATUS_FAILURE, "%s: no layer '%s': only EXR has layers", path,
+                             params->layer);
         } else if (file.size >= 2 && (memcmp(start, "PF", 2) == 0 || memcmp(start, "Pf", 2) == 0)) {
             read = pfm_decode(image, path, &file, error);
         } else {

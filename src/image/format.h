@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "image/image.h"
+#include "image/read_params.h"
 #include "image/write_params.h"
 
 /* Whether the path's extension (.exr, .png, .pfm) names a format that can be written; STATUS_USAGE if not.
@@ -17,5 +18,8 @@ MUST_CHECK bool image_write(const Image *image, const char *path, const ImageWri
                             Error *error);
 
 /* Reads .exr or .pfm (told apart by content). Missing alpha becomes 1; a luminance-only file becomes grey.
- * Fails with STATUS_FAILURE and leaves an empty picture. */
+ * `params` may be NULL. Fails with STATUS_FAILURE and leaves an empty picture. */
+MUST_CHECK bool image_read_as(Image *image, const char *path, const ImageReadParams *params, Error *error);
+
+/* The same with default params. */
 MUST_CHECK bool image_read(Image *image, const char *path, Error *error);

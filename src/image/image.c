@@ -11,6 +11,12 @@ Image image_create(int width, int height) {
                    .rgba = memory_get((size_t)width * (size_t)height, 4 * sizeof(float))};
 }
 
+bool image_holds(const Image *image, int x, int y) {
+    const Rectangle *data = &image->data;
+    return !data->width ||
+           (x >= data->x && x < data->x + data->width && y >= data->y && y < data->y + data->height);
+}
+
 float *image_add_layer(Image *image, const char *name, const char *channels) {
     size_t pixels = (size_t)image->width * (size_t)image->height;
     float *data = memory_get(pixels * strlen(channels), sizeof *data);

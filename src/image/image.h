@@ -1,6 +1,10 @@
 /* A picture in memory: rows of linear RGBA float pixels, row 0 at the top, and layers beside them. */
 #pragma once
 
+#include "base/rectangle.h"
+
+#include <stdbool.h>
+
 /* What else is known of each pixel. Only EXR keeps it, in channels named by the layer and a letter:
  * "normal.X", or "Z" alone where the layer has no name. */
 typedef struct ImageLayer {
@@ -19,7 +23,15 @@ typedef struct Image {
     /* Owned; none in a picture that was read. */
     ImageLayer *layers;
     int layer_count;
+    /* The pixels that the file held, if it held a part of the picture; the others are 0. Empty if it held
+     * all. */
+    Rectangle data;
+    /* The pixels are light as it is shown, from 0 to 1, and not radiance. */
+    bool shown;
 } Image;
+
+/* Whether the picture's file held that pixel. */
+bool image_holds(const Image *image, int x, int y);
 
 /* A zeroed picture. */
 Image image_create(int width, int height);
