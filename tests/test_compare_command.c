@@ -61,11 +61,112 @@ static void test_command_nonfinite(void **state) {
     support_expect(6, "1 pixels are not finite, the first at 3,2", "compare '%s' '%s' --max-relrmse 5", a, b);
 }
 
+/* A PNG is compared as it is shown. Dithering rounds a level up as often as its fraction f says, which is an
+ * error of the variance f (1 - f), and 1/6 in the mean over all fractions. */
+static void test_command_png(void **state) {
+    (void)state;
+    Error error;
+    AttributeList list = {0};
+    const char *png = support_path("shown.png"), *exr = support_path("shown.exr");
+    Image image = image_create(100, 100);
+    for (int i = 0; i < 40000; i++) image.rgba[i] = 0.2F + 0.3F * (float)(i % 10007) / 10007;
+    attribute_add(&list, "magichour.exposure", "-1");
+    assert_true(
+        image_write(&image, png, &(ImageWriteParams){.exposure_ev = -1, .attributes = &list}, &error));
+    assert_true(image_write(&image, exr, &(ImageWriteParams){0}, &error));
+    attribute_list_free(&list);
+    image_free(&image);
+    static const char *const orders[] = {"compare '%s' '%s' --max-levels 0.43",
+                                         "compare '%s' '%s' --max-levels 0.38"};
+    for (int turn = 0; turn < 2; turn++) {
+        const char *a = turn ? exr : png, *b = turn ? png : exr;
+        support_expect(0, "", orders[0], a, b);
+        support_expect(6, "differs from", orders[1], a, b);
+        expect_line(turn ? "read B       PNG of 8 bits, tone-mapped: compared as it is shown, in levels "
+                           "only\nlevels RMS"
+                         : "read A       PNG of 8 bits, tone-mapped: compared as it is shown, in levels "
+                           "only\nlevels RMS");
+        assert_null(strstr(support_out, "relRMSE"));
+        support_expect(6, "differs from", "compare '%s' '%s' --exposure 0 --max-levels 5", a, b);
+        support_expect(2, "shown.png: a PNG holds no radiance", "compare '%s' '%s' --max-relrmse 1", a, b);
+        support_expect(2, "shown.png: a PNG holds no radiance", "compare '%s' '%s' --max-bias 1", a, b);
+        support_expect(2, "shown.png: a PNG holds no radiance", "compare '%s' '%s' --se '%s'", a, b, exr);
+    }
+    support_expect(0, "", "compare '%s' '%s' --max-levels 0", png, png);
+    expect_line("read B       PNG");
+}
+
+static void test_command_json(void **state) {
+    (void)state;
+    const char *a = write_picture("a.pfm", 7, 5, 1, 2, 0), *b = write_picture("b.pfm", 7, 5, 1, 1, 0);
+    support_expect(0, "", "compare '%s' '%s' --json --tone none", a, b);
+    assert_string_equal(support_out,
+                        "{\"relRMSE\": 9.75900073, \"trimmed\": 0, \"bias_R_G_B\": [2.85714286, 0, 0], "
+                        "\"largest\": 100, \"p99\": 0, \"levels_RMS\": 0, \"worst_tile\": 0, "
+                        "\"worst_tile_at\": [0, 0], \"pixels\": 35, \"not_finite\": 0, \"outside\": 0, "
+                        "\"sun_pixels\": 0, \"within\": true}\n");
+    const char *nan = write_picture("nan.pfm", 7, 5, 1, NAN, 3 * 7 + 2);
+    support_expect(6, "not finite", "compare '%s' '%s' --json --max-relrmse 1000 --se '%s'", nan, b, b);
+    expect_line("\"not_finite\": 1, \"not_finite_at\": [2, 3]");
+    expect_line("\"mean_z2\": 0, \"share_z4\": 0, \"within\": false}\n");
+    const char *zero = write_picture("zero.pfm", 7, 5, 0, 0, 0);
+    support_expect(0, "", "compare '%s' '%s' --json", b, zero);
+    expect_line("\"relRMSE\": null");
+}
+
+static void test_command_quiet(void **state) {
+    (void)state;
+    const char *a = write_picture("a.pfm", 7, 5, 1, 2, 0), *b = write_picture("b.pfm", 7, 5, 1, 1, 0);
+    static const char *const options[] = {"", "--json"};
+    for (int i = 0; i < 2; i++) {
+        support_expect(0, "", "compare '%s' '%s' --quiet --max-relrmse 10 %s", a, b, options[i]);
+        assert_string_equal(support_out, "");
+        assert_int_equal(support_run("", "compare '%s' '%s' --quiet --max-relrmse 9 %s", a, b, options[i]),
+                         6);
+        assert_string_equal(support_out, "");
+        assert_string_equal(support_err, "");
+    }
+    support_expect(1, "none.pfm", "compare '%s' '%s' --quiet", a, support_path("none.pfm"));
+}
+
+/* The pictures that are written are read again, by the program's own reader. */
+static void test_command_pictures(void **state) {
+    (void)state;
+    Error error;
+    Image difference, sheet;
+    const char *a = write_picture("a.pfm", 80, 70, 0, 1, 3 * 80 + 5),
+               *b = write_picture("b.pfm", 80, 70, 0, 0, 0);
+    const char *diff = support_path("diff.png"), *side = support_path("side.png");
+    support_expect(0, "", "compare '%s' '%s' -o '%s' --side-by-side '%s' --tone none", a, b, diff, side);
+    expect_line("relRMSE");
+    assert_true(image_read(&difference, diff, &error));
+    assert_true(image_read(&sheet, side, &error));
+    assert_int_equal(difference.height, sheet.height);
+    assert_int_equal(sheet.width - difference.width, 2 * (80 + 8));
+    /* The pixel is red in the difference, and in the panel of A, where it lies as far from the panel's
+     * corner. */
+    const float *red = difference.rgba + 4 * ((26 + 3) * difference.width + 8 + 5);
+    assert_true(red[0] > 0.4F && red[1] < 0.01F && red[2] < 0.05F);
+    red = sheet.rgba + 4 * ((26 + 3) * sheet.width + 8 + 5);
+    assert_true(red[0] == 1 && red[1] == 0 && red[2] == 0);
+    assert_true(red[4] == 0);
+    const float *panel_b = red + 4 * (80 + 8L), *panel_difference = panel_b + 4 * (80 + 8L);
+    assert_true(panel_b[0] == 0 && panel_b[1] == 0);
+    assert_true(panel_difference[0] > 0.4F && panel_difference[1] < 0.01F);
+    image_free(&difference);
+    image_free(&sheet);
+    support_expect(2, "diff.exr: false colours can only be written as .png", "compare '%s' '%s' -o diff.exr",
+                   a, b);
+    support_expect(2, "diff: false colours can only", "compare '%s' '%s' --side-by-side diff", a, b);
+    support_expect(5, "none/a.png", "compare '%s' '%s' -o '%s/none/a.png'", a, b, support_path("x"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_command_layers),
-        cmocka_unit_test(test_command_outside),
-        cmocka_unit_test(test_command_nonfinite),
+        cmocka_unit_test(test_command_layers),    cmocka_unit_test(test_command_outside),
+        cmocka_unit_test(test_command_nonfinite), cmocka_unit_test(test_command_png),
+        cmocka_unit_test(test_command_json),      cmocka_unit_test(test_command_quiet),
+        cmocka_unit_test(test_command_pictures),
     };
     return cmocka_run_group_tests_name("compare_command", tests, support_folder, support_clean);
 }

@@ -1,55 +1,34 @@
 #include "base/memory.h"
 #include "base/number.h"
 #include "cmd/cmd.h"
-#include "image/compare.h"
-#include "image/exr_attribute.h"
+#include "cmd/compare_print.h"
+#include "image/difference.h"
 #include "image/format.h"
 #include "image/sun_pixels.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 typedef struct CompareJob {
     Image a, b, standard_error, mask;
-    /* How the two files were read. */
-    Text said[2];
+    CompareSaid said;
     /* The pixels of the sun's image in either picture. */
     unsigned char *sun;
+    /* The pixels that are compared. */
+    unsigned char *compared;
+    CompareOptions how;
     Comparison result;
 } CompareJob;
-
-/* A line for each that is known of how a file was read. */
-static void print_said(const char *file, const Text *said) {
-    for (const char *line = text_string(said); *line;) {
-        size_t length = strcspn(line, "\n");
-        printf("read %s       %.*s\n", file, (int)length, line);
-        line += length + (line[length] == '\n');
-    }
-}
-
-static void print_comparison(const Comparison *c) {
-    const Levels *levels = &c->levels;
-    printf("relRMSE      %.4f %%\n", c->rel_rmse_percent);
-    printf("  trimmed    %.4f %%  (without the 0.1 %% worst pixels, in the mean too)\n", c->trimmed_percent);
-    printf("bias R G B   %+.4f %+.4f %+.4f %%\n", c->bias_percent[0], c->bias_percent[1], c->bias_percent[2]);
-    printf("largest      %.4f %%\n", c->largest_percent);
-    printf("p99          %.4f %%\n", c->p99_percent);
-    printf("levels RMS   %.4f of 255\n", levels->rms);
-    printf("  worst tile %.4f of 255, %dx%d pixels at %d,%d\n", levels->worst_tile, LEVELS_TILE, LEVELS_TILE,
-           levels->worst_x, levels->worst_y);
-    printf("pixels       %ld, %ld not finite", c->pixels, c->nonfinite);
-    if (c->nonfinite) printf(", the first at %d,%d", c->nonfinite_x, c->nonfinite_y);
-    printf("\n");
-    if (c->outside) printf("outside      %ld left out, as a file's data window lacks them\n", c->outside);
-    printf("sun pixels   %ld left out\n", c->sun_pixels);
-    if (c->has_z) printf("mean z^2     %.4f, |z| > 4 in %.4f %%\n", c->mean_z2, c->share_z4_percent);
-}
 
 /* NaN exceeds every bound. */
 static bool within(double value, double bound) {
     return isinf(bound) || fabs(value) <= bound;
+}
+
+static bool bounds_radiance(const Options *options) {
+    return !isinf(options->max_relrmse_percent) || !isinf(options->max_bias_percent);
 }
 
 static bool all_within(const Comparison *c, const Options *options) {
@@ -57,19 +36,14 @@ static bool all_within(const Comparison *c, const Options *options) {
                   within(c->levels.rms, options->max_levels);
     for (int i = 0; i < 3; i++) inside = inside && within(c->bias_percent[i], options->max_bias_percent);
     /* A bound is a promise about every pixel that is compared. A pixel that is not finite breaks it. */
-    bool bounded = !isinf(options->max_relrmse_percent) || !isinf(options->max_bias_percent) ||
-                   !isinf(options->max_levels);
+    bool bounded = bounds_radiance(options) || !isinf(options->max_levels);
     return inside && !(bounded && c->nonfinite);
-}
-
-static bool read_optional(const char *path, Image *image, Error *error) {
-    return !path || image_read(image, path, error);
 }
 
 /* Marks the pixels of the sun's image that the picture's metadata name. */
 static bool mark_sun(CompareJob *job, const char *path, Error *error) {
     Text text = {0};
-    bool ok = !exr_attribute(path, SUN_PIXELS_ATTRIBUTE, &text) ||
+    bool ok = !image_attribute(path, SUN_PIXELS_ATTRIBUTE, &text) ||
               sun_pixels_parse(text_string(&text), job->sun, job->b.width, job->b.height, error) ||
               error_prefix(error, "%s: ", path);
     text_free(&text);
@@ -83,11 +57,14 @@ static bool find_sun(CompareJob *job, const Options *options, Error *error) {
     return mark_sun(job, options->inputs[0], error) && mark_sun(job, options->inputs[1], error);
 }
 
-/* The exposure that was asked for, or else that of the reference's metadata, or else 0. */
-static double exposure(const Options *options) {
+/* The exposure that was asked for, or else that of a metadata: of A if only A is shown already, or else of B.
+ */
+static double exposure(const CompareJob *job, const Options *options) {
+    if (options->has_exposure) return options->exposure_ev;
     Text text = {0};
-    double exposure_ev = options->exposure_ev;
-    if (!options->has_exposure && exr_attribute(options->inputs[1], "magichour.exposure", &text) &&
+    double exposure_ev = 0;
+    const char *path = options->inputs[job->a.shown && !job->b.shown ? 0 : 1];
+    if (!image_attribute(path, "magichour.exposure", &text) ||
         !number_parse(text_string(&text), &exposure_ev))
         exposure_ev = 0;
     text_free(&text);
@@ -100,35 +77,76 @@ static const char *layer(const Options *options, int input) {
     return name && *name ? name : NULL;
 }
 
-static bool compare(CompareJob *job, const Options *options, Error *error) {
-    ImageReadParams read_a = {.layer = layer(options, 0), .said = &job->said[0]};
-    ImageReadParams read_b = {.layer = layer(options, 1), .said = &job->said[1]};
-    bool none = options->tone && strcmp(options->tone, "none") == 0;
-    CompareOptions how = {.tone = none ? TONE_NONE : TONE_AUTHOR};
+static bool read_optional(const char *path, Image *image, Error *error) {
+    return !path || image_read(image, path, error);
+}
+
+static bool pictures_read(CompareJob *job, const Options *options, Error *error) {
+    ImageReadParams read_a = {.layer = layer(options, 0), .said = &job->said.a};
+    ImageReadParams read_b = {.layer = layer(options, 1), .said = &job->said.b};
     if (!image_read_as(&job->a, options->inputs[0], &read_a, error) ||
         !image_read_as(&job->b, options->inputs[1], &read_b, error) ||
         !read_optional(options->standard_error, &job->standard_error, error) ||
-        !read_optional(options->mask, &job->mask, error) || !find_sun(job, options, error))
+        !read_optional(options->mask, &job->mask, error))
         return false;
-    how.exposure_ev = exposure(options);
-    how.sun = job->sun;
-    if (options->standard_error) how.standard_error = &job->standard_error;
-    if (options->mask) how.mask = &job->mask;
-    return compare_images(&job->a, &job->b, &how, &job->result, error);
+    if (!job->a.shown && !job->b.shown) return true;
+    if (!bounds_radiance(options) && !options->standard_error) return true;
+    return error_set(
+        error, STATUS_USAGE,
+        "%s: a PNG holds no radiance: only --max-levels can bound the difference, and --se has no use",
+        options->inputs[job->a.shown ? 0 : 1]);
 }
 
-static void job_free(CompareJob *job) {
-    image_free(&job->a);
-    image_free(&job->b);
-    image_free(&job->standard_error);
-    image_free(&job->mask);
-    text_free(&job->said[0]);
-    text_free(&job->said[1]);
-    free(job->sun);
+static bool compare(CompareJob *job, const Options *options, Error *error) {
+    if (!pictures_read(job, options, error) || !find_sun(job, options, error)) return false;
+    bool none = options->tone && strcmp(options->tone, "none") == 0;
+    job->compared = memory_get((size_t)job->b.width * (size_t)job->b.height, 1);
+    job->how = (CompareOptions){.tone = none ? TONE_NONE : TONE_AUTHOR,
+                                .exposure_ev = exposure(job, options),
+                                .sun = job->sun,
+                                .compared = job->compared,
+                                .standard_error = options->standard_error ? &job->standard_error : NULL,
+                                .mask = options->mask ? &job->mask : NULL};
+    return compare_images(&job->a, &job->b, &job->how, &job->result, error);
 }
 
+static bool write_picture(Image image, const char *path, Error *error) {
+    bool written = image_write(&image, path, &(ImageWriteParams){0}, error);
+    image_free(&image);
+    return written;
+}
+
+static bool pictures_write(const CompareJob *job, const Options *options, Error *error) {
+    DifferenceParams params = {.a = &job->a,
+                               .b = &job->b,
+                               .compared = job->compared,
+                               .tone = job->how.tone,
+                               .exposure_ev = job->how.exposure_ev};
+    for (int i = 0; i < options->output_count; i++) {
+        if (!write_picture(difference_picture(&params), options->outputs[i], error)) return false;
+    }
+    return !options->side_by_side ||
+           write_picture(difference_side_by_side(&params), options->side_by_side, error);
+}
+
+/* False colours are no radiance. */
+static bool path_check(const char *path, Error *error) {
+    const char *dot = path ? strrchr(path, '.') : NULL;
+    if (!path || (dot && strcasecmp(dot, ".png") == 0)) return true;
+    return error_set(error, STATUS_USAGE, "%s: false colours can only be written as .png", path);
+}
+
+static bool paths_check(const Options *options, Error *error) {
+    for (int i = 0; i < options->output_count; i++) {
+        if (!path_check(options->outputs[i], error)) return false;
+    }
+    return path_check(options->side_by_side, error);
+}
+
+/* With --quiet, the exit status says it all. */
 static Status verdict(const Comparison *result, const Options *options, Error *error) {
     if (all_within(result, options)) return STATUS_DONE;
+    if (options->quiet) return STATUS_COMPARISON;
     if (result->nonfinite)
         error_set(error, STATUS_COMPARISON,
                   "%s differs from %s: %ld pixels are not finite, the first at %d,%d", options->inputs[0],
@@ -139,15 +157,30 @@ static Status verdict(const Comparison *result, const Options *options, Error *e
     return STATUS_COMPARISON;
 }
 
+static void job_free(CompareJob *job) {
+    image_free(&job->a);
+    image_free(&job->b);
+    image_free(&job->standard_error);
+    image_free(&job->mask);
+    text_free(&job->said.a);
+    text_free(&job->said.b);
+    free(job->sun);
+    free(job->compared);
+}
+
 Status cmd_compare(const Options *options, Error *error) {
     CompareJob job = {0};
-    bool ok = compare(&job, options, error);
-    if (ok) {
-        print_said("A", &job.said[0]);
-        print_said("B", &job.said[1]);
-        print_comparison(&job.result);
+    Status status;
+    if (paths_check(options, error) && compare(&job, options, error) &&
+        pictures_write(&job, options, error)) {
+        if (!options->quiet && options->json)
+            compare_print_json(&job.result, &job.said, all_within(&job.result, options));
+        else if (!options->quiet)
+            compare_print(&job.result, &job.said);
+        status = verdict(&job.result, options, error);
+    } else {
+        status = error->status;
     }
-    Status status = ok ? verdict(&job.result, options, error) : error->status;
     job_free(&job);
     return status;
 }

@@ -75,7 +75,9 @@ typedef struct Options {
     bool quiet, verbose;
 
     /* For `flatten`: print every program of a picture, as text or as JSON lines. */
-    bool all, json;
+    bool all;
+    /* For `flatten` and `compare`. */
+    bool json;
 
     /* Infinite if they were not given. */
     double max_relrmse_percent, max_bias_percent, max_levels;
@@ -88,4 +90,7 @@ typedef struct Options {
     /* For `compare`: the layer of both pictures, or of A and of B. */
     const char *layers[2];
     int layer_count;
+
+    /* For `compare`: where to write both pictures and their difference. */
+    const char *side_by_side;
 } Options;

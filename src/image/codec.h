@@ -15,5 +15,7 @@ MUST_CHECK bool exr_encode(const Image *image, const ImageWriteParams *params, T
 MUST_CHECK bool exr_decode(Image *image, const char *path, const Text *file, const ImageReadParams *params,
                            Error *error);
 MUST_CHECK bool png_encode(const Image *image, const ImageWriteParams *params, Text *out, Error *error);
+MUST_CHECK bool png_decode(Image *image, const char *path, const Text *file, const ImageReadParams *params,
+                           Error *error);
 void pfm_encode(const Image *image, Text *out);
 MUST_CHECK bool pfm_decode(Image *image, const char *path, const Text *file, Error *error);

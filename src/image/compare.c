@@ -188,6 +188,7 @@ bool compare_images(const Image *a, const Image *b, const CompareOptions *option
                      .distances = memory_get(pixels, 3 * sizeof(double))};
     unsigned char *compared = memory_get(pixels, 1);
     gather(&sums, a, b, options, compared, result);
+    result->levels_only = a->shown || b->shown;
     result->levels = levels_compare(a, b, compared, options->tone, options->exposure_ev);
     if (sums.count) {
         figures_fill(result, &sums);
@@ -196,6 +197,7 @@ bool compare_images(const Image *a, const Image *b, const CompareOptions *option
         result->largest_percent = result->p99_percent = INFINITY;
         for (int c = 0; c < 3; c++) result->bias_percent[c] = INFINITY;
     }
+    if (options->compared) memcpy(options->compared, compared, pixels);
     free(compared);
     free(sums.pixel_squares);
     free(sums.pixel_b);

@@ -13,6 +13,8 @@ typedef struct CompareOptions {
     const Image *mask;
     /* The pixels of the sun's own image (image/sun_pixels.h), which are left out. May be NULL. */
     const unsigned char *sun;
+    /* Filled with one byte a pixel: 1 where the pictures are compared and finite, else 0. May be NULL. */
+    unsigned char *compared;
     /* How the pictures are shown, for the levels. */
     Tone tone;
     double exposure_ev;
@@ -52,6 +54,8 @@ typedef struct Comparison {
     double mean_z2;
     /* The share of |z| > 4. */
     double share_z4_percent;
+    /* One of the pictures is light as it is shown (Image.shown), so that only the levels mean something. */
+    bool levels_only;
     /* The difference in 8-bit levels of the pictures as they are shown. */
     Levels levels;
 } Comparison;

@@ -2,6 +2,8 @@
 
 #include "base/file.h"
 #include "image/codec.h"
+#include "image/exr_attribute.h"
+#include "image/png_attribute.h"
 
 #include <string.h>
 #include <strings.h>
@@ -81,10 +83,16 @@ bool image_read_as(Image *image, const char *path, const ImageReadParams *params
                              params->layer);
         } else if (file.size >= 2 && (memcmp(start, "PF", 2) == 0 || memcmp(start, "Pf", 2) == 0)) {
             read = pfm_decode(image, path, &file, error);
+        } else if (file.size >= 4 && memcmp(start, "\x89PNG", 4) == 0) {
+            read = png_decode(image, path, &file, params, error);
         } else {
-            read = error_set(error, STATUS_FAILURE, "%s: neither an EXR nor a PFM picture", path);
+            read = error_set(error, STATUS_FAILURE, "%s: neither an EXR nor a PFM nor a PNG picture", path);
         }
     }
     text_free(&file);
     return read;
+}
+
+bool image_attribute(const char *path, const char *name, Text *value) {
+    return exr_attribute(path, name, value) || png_attribute(path, name, value);
 }

@@ -17,9 +17,13 @@ bool image_keeps_layers(const char *path);
 MUST_CHECK bool image_write(const Image *image, const char *path, const ImageWriteParams *params,
                             Error *error);
 
-/* Reads .exr or .pfm (told apart by content). Missing alpha becomes 1; a luminance-only file becomes grey.
- * `params` may be NULL. Fails with STATUS_FAILURE and leaves an empty picture. */
+/* Reads EXR, PFM or PNG, told apart by content. A PNG is light as it is shown (Image.shown). Missing alpha
+ * becomes 1; a luminance-only file becomes grey. `params` may be NULL. Fails with STATUS_FAILURE and leaves
+ * an empty picture. */
 MUST_CHECK bool image_read_as(Image *image, const char *path, const ImageReadParams *params, Error *error);
 
 /* The same with default params. */
 MUST_CHECK bool image_read(Image *image, const char *path, Error *error);
+
+/* Appends the metadata of that name; false where there is no such file or line. PFM has none. */
+bool image_attribute(const char *path, const char *name, Text *value);

@@ -1,7 +1,6 @@
 #include "image/levels.h"
 
 #include <math.h>
-#include <stddef.h>
 
 typedef struct Sum {
     double squares;
@@ -12,8 +11,13 @@ static double root(Sum sum) {
     return sqrt(sum.squares / (3.0 * (double)sum.pixels));
 }
 
-static Sum tile_sum(const Image *a, const Image *b, const unsigned char *compared, Tone tone, double gain,
-                    int left, int top) {
+double image_level(const Image *image, size_t i, Tone tone, double exposure_ev) {
+    double value = (double)image->rgba[i];
+    return image->shown ? tone_level(TONE_NONE, 1, value) : tone_level(tone, exp2(exposure_ev), value);
+}
+
+static Sum tile_sum(const Image *a, const Image *b, const unsigned char *compared, Tone tone,
+                    double exposure_ev, int left, int top) {
     Sum sum = {0};
     for (int y = top; y < top + LEVELS_TILE && y < b->height; y++) {
         for (int x = left; x < left + LEVELS_TILE && x < b->width; x++) {
@@ -22,7 +26,7 @@ static Sum tile_sum(const Image *a, const Image *b, const unsigned char *compare
             sum.pixels++;
             for (size_t i = 4 * pixel; i < 4 * pixel + 3; i++) {
                 double difference =
-                    tone_level(tone, gain, (double)a->rgba[i]) - tone_level(tone, gain, (double)b->rgba[i]);
+                    image_level(a, i, tone, exposure_ev) - image_level(b, i, tone, exposure_ev);
                 sum.squares += difference * difference;
             }
         }
@@ -36,7 +40,7 @@ Levels levels_compare(const Image *a, const Image *b, const unsigned char *compa
     Sum all = {0};
     for (int y = 0; y < b->height; y += LEVELS_TILE) {
         for (int x = 0; x < b->width; x += LEVELS_TILE) {
-            Sum tile = tile_sum(a, b, compared, tone, exp2(exposure_ev), x, y);
+            Sum tile = tile_sum(a, b, compared, tone, exposure_ev, x, y);
             all.squares += tile.squares;
             all.pixels += tile.pixels;
             if (tile.pixels < LEVELS_TILE_LEAST || root(tile) <= levels.worst_tile) continue;

@@ -5,9 +5,15 @@
 #include "image/image.h"
 #include "image/tone.h"
 
+#include <stddef.h>
+
 /* Pixels in the side of a tile. Tiles are counted from the top left; those at the right and the bottom are
  * cut. A tile of fewer compared pixels is no tile of its own: the few would decide its figure by chance. */
 enum { LEVELS_TILE = 16, LEVELS_TILE_LEAST = 64 };
+
+/* The level that value i of the picture's `rgba` is shown as. The tone curve and the exposure are for
+ * radiance; a picture that is light as it is shown needs none. */
+double image_level(const Image *image, size_t i, Tone tone, double exposure_ev);
 
 typedef struct Levels {
     /* The root mean square difference over the channels of all compared pixels. Infinite if there are none.

@@ -23,12 +23,14 @@ static png_byte dither(double level, int x, int y, int channel) {
     return (png_byte)fmin(level + random * 0x1p-32, 255);
 }
 
+/* A picture that is light as it is shown stays as it is. */
 static void row_convert(const Image *image, int y, const ImageWriteParams *params, png_byte *row) {
-    double gain = exp2(params->exposure_ev);
+    double gain = image->shown ? 1 : exp2(params->exposure_ev);
+    Tone tone = image->shown ? TONE_NONE : params->tone;
     const float *pixel = image->rgba + 4 * (size_t)y * (size_t)image->width;
     for (int x = 0; x < image->width; x++, pixel += 4) {
         for (int c = 0; c < 3; c++) {
-            *row++ = dither(tone_level(params->tone, gain, (double)pixel[c]), x, y, c);
+            *row++ = dither(tone_level(tone, gain, (double)pixel[c]), x, y, c);
         }
     }
 }

@@ -25,3 +25,8 @@ double tone_levels_per_percent(Tone tone) {
         most = fmax(most, tone_level(tone, 1, 1.01 * x) - tone_level(tone, 1, x));
     return most;
 }
+
+double tone_light_of_level(double level) {
+    double v = level / 255;
+    return v <= 12.92 * 0.0031308 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+}

@@ -14,3 +14,6 @@ double tone_level(Tone tone, double gain, double radiance);
 
 /* The most levels by which a picture changes if its radiance changes by a percent. */
 double tone_levels_per_percent(Tone tone);
+
+/* The light from 0 to 1 that is shown at that level: the inverse of tone_level() with TONE_NONE. */
+double tone_light_of_level(double level);

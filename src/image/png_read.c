@@ -1,0 +1,154 @@
+#include "image/codec.h"
+#include "image/png_attribute.h"
+
+#include "base/file.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <png.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What is read, and how far. */
+typedef struct PngSource {
+    const Text *file;
+    size_t at;
+    const char *path;
+    Error *error;
+} PngSource;
+
+static _Noreturn void png_fail(png_structp png, png_const_charp message) {
+    PngSource *source = png_get_error_ptr(png);
+    error_set(source->error, STATUS_FAILURE, "%s: broken PNG: %s", source->path, message);
+    png_longjmp(png, 1);
+}
+
+/* Without this, libpng prints warnings. */
+static void png_ignore(png_structp png, png_const_charp message) {
+    (void)png;
+    (void)message;
+}
+
+static void bytes_take(png_structp png, png_bytep bytes, size_t size) {
+    PngSource *source = png_get_io_ptr(png);
+    if (size > source->file->size - source->at) png_error(png, "it ends too early");
+    memcpy(bytes, source->file->data + source->at, size);
+    source->at += size;
+}
+
+/* The header. False after png_fail. */
+static bool header_read(png_structp png, png_infop info) {
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_set_user_limits(png, IMAGE_SIDE_MAX, IMAGE_SIDE_MAX);
+    png_read_info(png, info);
+    return true;
+}
+
+/* All rows as RGBA, of 8 or 16 bits a channel. False after png_fail. */
+static bool rows_read(png_structp png, png_infop info, png_byte **rows) {
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_set_expand(png);
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, 0xffff, PNG_FILLER_AFTER);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    png_read_image(png, rows);
+    png_read_end(png, info);
+    return true;
+}
+
+static void image_fill(Image *image, png_byte *const *rows, int depth) {
+    for (int y = 0; y < image->height; y++) {
+        float *pixel = image->rgba + 4 * (size_t)y * (size_t)image->width;
+        for (size_t i = 0; i < 4 * (size_t)image->width; i++) {
+            const png_byte *bytes = rows[y] + i * (size_t)(depth / 8);
+            double share = depth == 16 ? (bytes[0] * 256 + bytes[1]) / 65535.0 : bytes[0] / 255.0;
+            pixel[i] = (float)(i % 4 == 3 ? share : tone_light_of_level(255 * share));
+        }
+    }
+}
+
+/* Whether the file says that it is encoded otherwise than as sRGB. */
+static bool is_other_gamma(png_structp png, png_infop info, double *gamma) {
+    int intent;
+    return !png_get_sRGB(png, info, &intent) && png_get_gAMA(png, info, gamma) &&
+           fabs(*gamma * 2.2 - 1) > 0.05;
+}
+
+static bool picture_read(png_structp png, png_infop info, const PngSource *source, Image *image, Text *said) {
+    if (!header_read(png, info)) return false;
+    int64_t width = png_get_image_width(png, info), height = png_get_image_height(png, info);
+    int depth = png_get_bit_depth(png, info) == 16 ? 16 : 8;
+    double gamma;
+    if (width * height > IMAGE_PIXELS_MAX)
+        return error_set(source->error, STATUS_FAILURE,
+                         "%s: PNG of %lldx%lld: at most %ld pixels can be read", source->path,
+                         (long long)width, (long long)height, IMAGE_PIXELS_MAX);
+    if (is_other_gamma(png, info, &gamma))
+        return error_set(source->error, STATUS_FAILURE, "%s: PNG with the gamma %g: only sRGB's can be read",
+                         source->path, gamma);
+    size_t row = 4 * (size_t)width * (size_t)(depth / 8);
+    png_byte *bytes = memory_get((size_t)height, row);
+    png_byte **rows = memory_get((size_t)height, sizeof *rows);
+    for (int y = 0; y < height; y++) rows[y] = bytes + (size_t)y * row;
+    bool read = rows_read(png, info, rows);
+    if (read) {
+        *image = image_create((int)width, (int)height);
+        image->shown = true;
+        image_fill(image, rows, depth);
+        if (said)
+            text_print(said, "PNG of %d bits, tone-mapped: compared as it is shown, in levels only\n", depth);
+    }
+    free(rows);
+    free(bytes);
+    return read;
+}
+
+bool png_decode(Image *image, const char *path, const Text *file, const ImageReadParams *params,
+                Error *error) {
+    *image = (Image){0};
+    PngSource source = {.file = file, .path = path, .error = error};
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, png_fail, png_ignore);
+    png_infop info = png ? png_create_info_struct(png) : NULL;
+    bool read = false;
+    if (info) {
+        png_set_read_fn(png, &source, bytes_take);
+        read = picture_read(png, info, &source, image, params ? params->said : NULL);
+    } else {
+        error_set(error, STATUS_FAILURE, "%s: PNG: libpng cannot be started", path);
+    }
+    png_destroy_read_struct(&png, &info, NULL);
+    return read;
+}
+
+static bool text_find(png_structp png, png_infop info, const char *name, Text *value) {
+    png_textp texts;
+    int count = 0;
+    if (!header_read(png, info)) return false;
+    png_get_text(png, info, &texts, &count);
+    for (int i = 0; i < count; i++) {
+        if (strcmp(texts[i].key, name) != 0) continue;
+        text_append(value, texts[i].text, strlen(texts[i].text));
+        return true;
+    }
+    return false;
+}
+
+bool png_attribute(const char *path, const char *name, Text *value) {
+    Error ignored;
+    Text file = {0};
+    if (!file_read(path, STATUS_FAILURE, &file, &ignored)) return false;
+    PngSource source = {.file = &file, .path = path, .error = &ignored};
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, png_fail, png_ignore);
+    png_infop info = png ? png_create_info_struct(png) : NULL;
+    bool found = false;
+    if (info) {
+        png_set_read_fn(png, &source, bytes_take);
+        found = text_find(png, info, name, value);
+    }
+    png_destroy_read_struct(&png, &info, NULL);
+    text_free(&file);
+    return found;
+}
