@@ -20,6 +20,7 @@ static const struct {
     {STATUS_NO_GL, "no OpenGL"},
     {STATUS_OUTPUT, "output not written"},
     {STATUS_COMPARISON, "comparison past its bound"},
+    {STATUS_UNPROMISED, "the picture is saved, but the error that --error asked for is not promised"},
     {STATUS_INTERRUPTED, "interrupted, with the picture saved"},
 };
 enum { STATUSES = sizeof statuses / sizeof *statuses };
