@@ -1,5 +1,5 @@
 # What the READMEs show and claim, made anew: pictures, charts and measurements. Included by the Makefile.
-.PHONY: gallery atlas honesty sheets skies charts view check-view measure-view
+.PHONY: gallery atlas honesty bias-scan sheets skies charts view check-view measure-view
 
 # The README's pictures.
 gallery: all
@@ -14,6 +14,10 @@ atlas: all
 # Whether --error keeps its word, over 108 pictures: a quarter of an hour.
 honesty: all
 	tools/honesty.sh $(BUILD)/magichour out/honesty
+
+# Whether the sky's methods err by no more than is claimed of them: two hours the first time.
+bias-scan: all $(BUILD)/tools/bias_claim
+	tools/bias_scan.sh $(BUILD)/magichour out/bias-scan
 
 # Contact sheets of the scenes, the shapes and the materials: a quarter of an hour.
 sheets: all
@@ -46,6 +50,11 @@ measure-view: $(BUILD)/magichour $(BUILD)/tests/test_window_load
 
 # The program of tools/spectrum.sh.
 $(BUILD)/tools/spectrum_fit: $(BUILD)/tools/spectrum_fit.o $(BUILD)/tests/colors.o $(LIBRARY) $(KEEP)
+	@echo link $@
+	@$(CXX) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+# The program of tools/bias_scan.sh.
+$(BUILD)/tools/bias_claim: $(BUILD)/tools/bias_claim.o $(LIBRARY) $(KEEP)
 	@echo link $@
 	@$(CXX) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
