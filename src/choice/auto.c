@@ -38,10 +38,11 @@ static const double node_time = 9e-9;
  * less of it the caches hold. */
 static const double lookup_time = 7e-9, lookup_by_root = 3e-11;
 
-/* What a sky adds to the time of a picture. */
-static double seconds_of(const MethodChoice *choice, int columns, int rows, const AutoWish *wish) {
+/* What a sky adds to the time of a picture of so many paths. */
+static double seconds_of(const MethodChoice *choice, int columns, int rows, double paths,
+                         const AutoWish *wish) {
     double nodes = choice->nodes, compile = first_compile + compile_by_nodes * nodes * nodes,
-           paths = paths_of(wish), sums = node_time * nodes * spectrum_bands(wish->atmosphere);
+           sums = node_time * nodes * spectrum_bands(wish->atmosphere);
     if (!choice->table) return compile + sums * paths;
     double texels = 2.0 * columns * rows;
     return compile + table_compile + sums * texels + (lookup_time + lookup_by_root * sqrt(texels)) * paths;
@@ -50,6 +51,8 @@ static double seconds_of(const MethodChoice *choice, int columns, int rows, cons
 /* A sky that auto may take: gauss:n for each path, or a table that gauss:n fills. */
 typedef struct Candidate {
     MethodChoice choice;
+    /* Of the table; 0 if there is none. */
+    int columns;
     double bias_percent;
     double seconds;
 } Candidate;
@@ -63,7 +66,8 @@ static bool describe(Candidate *candidate, int nodes, int columns, const AutoWis
     snprintf(text, sizeof text, columns ? "table:gauss:%d@%dx%d" : "gauss:%d", nodes, columns, 3 * columns);
     if (!method_choose(&candidate->choice, METHOD_SKY, text, error)) return false;
     candidate->bias_percent = bias_sky_percent(&candidate->choice, wish->sun_elevation_deg, wish->atmosphere);
-    candidate->seconds = seconds_of(&candidate->choice, columns, 3 * columns, wish);
+    candidate->columns = columns;
+    candidate->seconds = seconds_of(&candidate->choice, columns, 3 * columns, paths_of(wish), wish);
     return true;
 }
 
@@ -87,6 +91,7 @@ static const char *share_words(const AutoWish *wish) {
 /* Of the share of the error that is left for bias, what the further orders leave for the sky. */
 typedef struct Limit {
     double percent;
+    double further_percent;
     char words[80];
 } Limit;
 
@@ -103,43 +108,84 @@ static bool find_limit(Limit *limit, const MethodChoice *further, const AutoWish
            taken = bias_further_percent(further, wish->sun_elevation_deg, wish->atmosphere);
     if (!least_sky(&least, wish, error)) return false;
     bool leaves = taken > 0 && taken + least <= most;
+    limit->further_percent = taken;
     limit->percent = leaves ? most - taken : most;
     snprintf(limit->words, sizeof limit->words, "%s%.20s%s%s of the error asked for", leaves ? "what " : "",
              leaves ? further->text : "", leaves ? " leaves of " : "", share_words(wish));
     return true;
 }
 
-/* Writes choice->why: the bias of what was taken, and that of the most accurate sky that would cost less. */
-static void say_why(MethodChoice *choice, const Candidate *best, const Candidate *all, const Limit *limit) {
+/* What a sky adds to the time of a picture that reaches its error: the more bias there is, the less is left
+ * for noise, and the more paths it takes. INFINITY where bias leaves nothing. */
+static double seconds_in_the_end(const Candidate *a, const Limit *limit, const AutoWish *wish) {
+    double error = auto_error_percent(wish), left = error - limit->further_percent - a->bias_percent,
+           usual = error - bias_limit(wish);
+    if (left <= 0) return INFINITY;
+    return seconds_of(&a->choice, a->columns, 3 * a->columns, paths_of(wish) * pow(usual / left, 2), wish);
+}
+
+/* No table keeps within the limit. Ray by ray a sky takes many times longer, so that the most accurate table
+ * is worth more paths, and it is taken at once if no sky leaves anything for noise. */
+static const Candidate *prefer_table(const Candidate *best, const Candidate *all, const Limit *limit,
+                                     const AutoWish *wish) {
+    const Candidate *table = NULL;
+    for (int i = 0; i < CANDIDATES; i++) {
+        if (all[i].columns && !isnan(all[i].bias_percent) &&
+            (!table || all[i].bias_percent < table->bias_percent))
+            table = &all[i];
+    }
+    if (!table || table->bias_percent <= limit->percent) return best;
+    double by_table = seconds_in_the_end(table, limit, wish), by_ray = seconds_in_the_end(best, limit, wish);
+    if (isinf(by_table) && isinf(by_ray)) return table->seconds < best->seconds ? table : best;
+    return by_table < by_ray ? table : best;
+}
+
+/* Of the skies that would cost less, the most accurate; NULL if there is none. */
+static const Candidate *find_cheaper(const Candidate *best, const Candidate *all) {
     const Candidate *cheaper = NULL;
-    char rest[100] = "nothing is cheaper";
     for (int i = 0; i < CANDIDATES; i++) {
         if (all[i].seconds < best->seconds && !isnan(all[i].bias_percent) &&
             (!cheaper || all[i].bias_percent < cheaper->bias_percent))
             cheaper = &all[i];
     }
-    if (cheaper)
+    return cheaper;
+}
+
+/* Writes choice->why: the bias of what was taken, and that of what was not. `accurate` is the sky that would
+ * have been taken if time were no matter. */
+static void say_why(MethodChoice *choice, const Candidate *best, const Candidate *accurate,
+                    const Candidate *all, const Limit *limit) {
+    const Candidate *cheaper = find_cheaper(best, all);
+    char rest[110] = "nothing is cheaper";
+    bool within = best->bias_percent <= limit->percent;
+    if (within && cheaper)
         snprintf(rest, sizeof rest, "%s is cheaper and errs by %.2g %%", cheaper->choice.text,
                  cheaper->bias_percent);
-    bool within = best->bias_percent <= limit->percent;
+    if (!within) snprintf(rest, sizeof rest, "ask for more");
+    if (best != accurate)
+        snprintf(rest, sizeof rest, "%s errs by %.2g %% and takes %.2g times the time", accurate->choice.text,
+                 accurate->bias_percent, accurate->seconds / best->seconds);
     snprintf(choice->why, sizeof choice->why, "bias %.2g %%, %s %.2g %%, %s; %s", best->bias_percent,
-             within ? "within" : "the least that there is, not within", limit->percent, limit->words,
-             within ? rest : "ask for more");
+             within             ? "within"
+             : best == accurate ? "the least that there is, not within"
+                                : "the least of a table, not within",
+             limit->percent, limit->words, rest);
 }
 
 static bool take_cheapest(MethodChoice *choice, const MethodChoice *further, const AutoWish *wish,
                           Error *error) {
     Candidate all[CANDIDATES];
     Limit limit;
-    const Candidate *best = all;
+    const Candidate *accurate = all;
     if (!find_limit(&limit, further, wish, error)) return false;
     for (int i = 0; i < CANDIDATES; i++) {
         int size = i % (1 + SIZES), columns = size ? 8 << size : 0;
         if (!describe(&all[i], nodes_tried[i / (1 + SIZES)], columns, wish, error)) return false;
-        if (is_better(&all[i], best, limit.percent)) best = &all[i];
+        if (is_better(&all[i], accurate, limit.percent)) accurate = &all[i];
     }
+    const Candidate *best = prefer_table(accurate, all, &limit, wish);
     *choice = best->choice;
-    say_why(choice, best, all, &limit);
+    say_why(choice, best, accurate, all, &limit);
     /* The size is found by the sun, as it is for a table that the user names without a size: if the sun
      * moves, the table may add as much error as the nodes leave of the limit. */
     int of_nodes = (int)(best - all) / (1 + SIZES) * (1 + SIZES);
