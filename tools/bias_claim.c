@@ -1,12 +1,13 @@
 /* Prints what the sky's methods are said to err. It is called by tools/bias_scan.sh.
  *
- * bias_claim PRESET [NAME=VALUE ...]   reads lines "height_m,sun_el_deg,SKY,FURTHER" from standard input,
- * with settings of the atmosphere such as ground_albedo=0.3, and prints
- *                                      "height_m,sun_el_deg,SKY,FURTHER,claim_percent,SKY in full,FURTHER in
- * full".
+ * bias_claim PRESET [NAME=VALUE ...] takes settings of the atmosphere such as ground_albedo=0.3. It reads
+ * lines height_m,sun_el_deg,SKY,FURTHER from standard input, and prints
+ *     height_m,sun_el_deg,SKY,FURTHER,claim,SKY in full,FURTHER in full,claim of nodes,of the table,of
+ * further orders
  *
  * SKY and FURTHER are methods. Both may be auto:ERROR instead: what auto takes for --error ERROR and a
- * picture of 512x512 pixels. The claim is nan where nothing is claimed. */
+ * picture of 512x512 pixels. Claims are in percent. The last three add up to the first. They are nan where
+ * nothing is claimed. */
 #include "choice/auto.h"
 #include "choice/bias.h"
 
@@ -45,9 +46,12 @@ static void print_claim(const Atmosphere *air, double sun, const char *sky, cons
     if (!auto_further(&of_further, error_of(further) > 0 ? NULL : further, named, &wish, &error) ||
         !auto_sky(&of_sky, named, &of_further, &wish, &error))
         fail(error.text);
-    double percent = bias_sky_percent(&of_sky, sun, air) + bias_further_percent(&of_further, sun, air);
-    printf("%g,%g,%s,%s,%.6g,%s,%s\n", air->observer_height_m, sun, sky, further, percent, of_sky.text,
-           of_further.text);
+    MethodChoice bare = of_sky;
+    bare.table = false;
+    double nodes = bias_sky_percent(&bare, sun, air), all_of_sky = bias_sky_percent(&of_sky, sun, air),
+           orders = bias_further_percent(&of_further, sun, air);
+    printf("%.9g,%g,%s,%s,%.6g,%s,%s,%.6g,%.6g,%.6g\n", air->observer_height_m, sun, sky, further,
+           all_of_sky + orders, of_sky.text, of_further.text, nodes, all_of_sky - nodes, orders);
 }
 
 int main(int count, char **words) {

@@ -37,8 +37,10 @@ MUST_CHECK bool auto_further(MethodChoice *choice, const char *text, const char 
 
 /* Chooses a sky. `text` is as for method_choose(). NULL or "auto" stands for the cheapest of gauss:n and of
  * the tables of gauss:n, among those whose bias is within what `further` leaves of half of the target
- * error; within all of that if it leaves too little, or if there are none within a third. Where no bias is so
- * small, or where none is known, the most accurate is taken. choice->why tells the user which case it was. */
+ * error; within all of that if it leaves too little, or if there are none within a third. Where no
+ * table's bias is so small, the most accurate table is taken, unless a sky ray by ray reaches the error in
+ * less time. Where no bias is known, the most accurate table is taken. choice->why tells the user which case
+ * it was. */
 MUST_CHECK bool auto_sky(MethodChoice *choice, const char *text, const MethodChoice *further,
                          const AutoWish *wish, Error *error);
 

@@ -8,10 +8,11 @@
 #include "scene/atmosphere.h"
 
 /* relRMSE in percent of a sky method, with its table if it has one; without what the further orders of
- * scattering err. The figure is 1.4 times the largest that was measured, as other scenes differ. NAN where
- * nothing was measured: for an air that is unlike simmons2017 and earth, for a sun below -12 degrees, for
- * paper with fewer steps than 16x4, and for a table of fewer than 32 columns in an air with further orders.
- */
+ * scattering err. The figure is 1.4 times the largest that was measured, as other scenes differ; above 2 m it
+ * is raised to 1.2 times what a scan of heights and suns saw (choice/bias_factors.h). NAN where nothing
+ * holds: for an air that is unlike simmons2017 and earth, for an observer in the uppermost 3 km of the air,
+ * for a sun below -12 degrees, for paper with fewer steps than 16x4, and for a table of fewer than 32 columns
+ * in an air with further orders. */
 double bias_sky_percent(const MethodChoice *choice, double sun_elevation_deg, const Atmosphere *atmosphere);
 
 /* The same of the further orders of scattering, by how they are computed: 0 if the air has none. It is a
