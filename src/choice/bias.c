@@ -89,8 +89,8 @@ static bool has_further(const Atmosphere *a) {
     return a->orders > 1;
 }
 
-/* Close below the top of the air errors change so fast with height and sun that no grid of measurements holds
- * at other heights: claims from a scan of 1600 cells there were passed 2.3 times at cells beside them. */
+/* Close below the top of the air errors change fast with height and sun: claims that were raised to what a
+ * scan saw there were passed 2.4 times at other heights and suns. */
 static bool is_near_top(const Atmosphere *a) {
     double below = air_thickness_m(a) - a->observer_height_m;
     return below >= 0 && below < 3e3;
