@@ -37,9 +37,7 @@ static void say_thrown(const char *before, unsigned materials, double pixels, co
 /* What the picture has not reached, by what ended it. */
 static void say_unreached(const Adaptive *adaptive, const PromiseTerms *terms, Promise *promise) {
     const Evidence *evidence = &adaptive->evidence;
-    if (terms->interrupted)
-        snprintf(promise->reason, sizeof promise->reason, "it was interrupted");
-    else if (adaptive->beyond >= 2 && evidence->thrown)
+    if (adaptive->beyond >= 2 && evidence->thrown)
         say_thrown(TOO_MANY ": ", evidence->thrown, evidence->thrown_pixels, "is found by chance",
                    terms->facts, promise);
     else if (adaptive->beyond >= 2)
@@ -51,7 +49,9 @@ static void say_unreached(const Adaptive *adaptive, const PromiseTerms *terms, P
 Promise promise_judge(const Adaptive *adaptive, const PromiseTerms *terms) {
     const Evidence *evidence = &adaptive->evidence;
     Promise promise = {0};
-    if (adaptive->noise.largest <= 0) {
+    if (terms->interrupted && !terms->reached) {
+        snprintf(promise.reason, sizeof promise.reason, "it was interrupted");
+    } else if (adaptive->noise.largest <= 0) {
         snprintf(promise.reason, sizeof promise.reason, "no path has found any light");
         promise.pixels = 1;
     } else if (isnan(terms->bias)) {
