@@ -27,6 +27,9 @@ typedef struct ChartParams {
     Text *said;
 } ChartParams;
 
+/* The name of the first chart's files if its errors are in levels; otherwise it is "paths". */
+#define CHART_PATHS_LEVELS "paths-levels"
+
 /* If the monitor stops a chart, the rows so far stay in the CSV, and nothing is drawn. */
 MUST_CHECK bool chart_paths(const ChartParams *params, Error *error);
 MUST_CHECK bool chart_sky(const ChartParams *params, Error *error);

@@ -92,7 +92,7 @@ static bool open_ledger(Paths *paths, Error *error) {
     text_print(&identity, "%s", params->identity);
     identity_of_picture(&params->picture, &identity);
     text_print(&identity, "# shaders %016" PRIx64 "\n", hash);
-    char *path = chart_path(params, paths_in_levels(paths) ? "paths-levels.csv" : "paths.csv");
+    char *path = chart_path(params, paths_in_levels(paths) ? CHART_PATHS_LEVELS ".csv" : "paths.csv");
     ok = ok && ledger_open(&paths->ledger, path, text_string(&identity), CURVE_WORDS, CURVE_COLUMNS,
                            params->said, error);
     free(path);

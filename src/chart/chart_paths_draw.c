@@ -124,7 +124,7 @@ bool paths_draw(const Paths *paths, Error *error) {
     draw_panel(paths, plot, PANEL_LIGHTS, lights);
     draw_panel(paths, plot, PANEL_SKIES, "Skies, by cosine, evenly");
     mark_auto(paths, plot);
-    char *path = chart_path(params, paths_in_levels(paths) ? "paths-levels" : "paths");
+    char *path = chart_path(params, paths_in_levels(paths) ? CHART_PATHS_LEVELS : "paths");
     bool ok = plot_write(plot, path, error);
     free(path);
     text_free(&words);

@@ -110,10 +110,11 @@ static void say_results(const Job *job) {
                 folder);
         return;
     }
+    bool levels = job->options->error.measure == NOISE_LEVELS;
     for (int i = 0; i < CHARTS && !job->options->quiet; i++) {
+        const char *name = levels && charts[i].make == chart_paths ? CHART_PATHS_LEVELS : charts[i].name;
         if (job->wanted[i])
-            printf("%s/%s.csv, %s/%s.svg, %s/%s.png\n", folder, charts[i].name, folder, charts[i].name,
-                   folder, charts[i].name);
+            printf("%s/%s.csv, %s/%s.svg, %s/%s.png\n", folder, name, folder, name, folder, name);
     }
 }
 
