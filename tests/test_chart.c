@@ -290,6 +290,16 @@ static void test_charts(void **state) {
     text_free(&after);
     text_free(&before);
 
+    /* Levels are in files of their own, by the same reference. */
+    support_expect(0, "",
+                   "chart scenes/crater.glsl -o '%s' --size 16x16 --time 1.5 --charts paths --error 2levels",
+                   folder);
+    assert_non_null(strstr(support_out, "reference: RMS "));
+    assert_non_null(strstr(support_out, "kept from before"));
+    assert_true(strstr(support_out, " levels in ") || strstr(support_out, " levels, the least measured in "));
+    assert_non_null(strstr(support_out, "/paths-levels.csv"));
+    assert_true(strstr(support_out, "/paths-levels.png") && access(paths, F_OK) == 0);
+
     /* Another sun is another chart. */
     support_expect(0, "", "chart scenes/crater.glsl -o '%s' --sun 5 --time 0.5 --charts sky", folder);
     assert_non_null(strstr(support_out, "sky.csv: its line '# sun 30,0' is '# sun 5,0' now: set aside"));
