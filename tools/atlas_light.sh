@@ -1,0 +1,109 @@
+#!/bin/sh
+# Which light method is the fastest where: tools/atlas_light.sh MAGICHOUR FOLDER CHARTS [SCENES [SUNS]]
+#
+# Renders each scene by each light method, at four elevations of the sun, without its disk and with it: once with some samples and once
+# with twice as many. The difference of the two pictures gives the noise of a sample. Its time is that of the CPU in a longer run, less
+# that of a run of one sample, so that neither the start-up nor a busy machine decides it. It is measured with the sun at 30 only, as it hardly
+# depends on the sun that is up. CHARTS gets atlas-light.{csv,md,png}. What is measured is kept in FOLDER, so that a run that was broken off
+# goes on.
+# shellcheck disable=SC2046,SC2086
+set -eu
+export LC_ALL=C LP_NUM_THREADS=1
+magichour=$1 folder=$2 charts=$3 scenes=${4:-all} suns=${5:-60 30 5 -2}
+tools=$(dirname "$0")
+root=$tools/..
+size=48x48 pixels=2304
+[ "$scenes" != all ] || scenes=$(cd "$root/scenes" && for file in *.glsl; do echo "${file%.glsl}"; done)
+mkdir -p "$folder" "$charts"
+
+# What all methods get alike: a table, without which `control` looks the sky up twice. Bias cancels in the difference. The light that
+# was scattered more than once is left out: it is smooth, and its tables would take longer than the pictures.
+sky_of() {
+    grep -q '^//@ *sky ' "$1" || echo "--sky table:gauss:8 --orders 1"
+}
+
+options_of() {
+    echo "$root/scenes/$1.glsl --sun $2 --sun-disk=$3 --size $size $(sky_of "$root/scenes/$1.glsl")"
+}
+
+# Renders and prints the process's CPU seconds. What it says as JSON goes to a file: cpu_seconds FILE OPTION...
+cpu_seconds() {
+    said=$1
+    shift
+    ("$magichour" render "$@" --quiet --progress json -o "$folder/timed.$$.pfm" 2>"$said"
+        times >"$folder/times.$$")
+    awk -F '[ms ]+' 'NR == 2 { print 60 * $1 + $2 + 60 * $3 + $4 }' "$folder/times.$$"
+}
+
+# Measures the nanoseconds that a path takes: time_of NAME OPTION...
+time_of() {
+    kept=$folder/$1.ns
+    shift
+    [ ! -s "$kept" ] || return 0
+    start=$(cpu_seconds "$folder/timed.$$.json" "$@" --spp 1)
+    all=$(cpu_seconds "$folder/timed.$$.json" "$@" --spp 1000000 --time 1.2)
+    sed -n 's/.*"done": true.*"paths": \([0-9]*\).*/\1/p' "$folder/timed.$$.json" | awk -v start="$start" -v all="$all" '{ print 1e9 * (all - start) / $1 }' >"$kept"
+}
+
+# A picture for the noise: noise_of NAME SAMPLES SEED OPTION...
+noise_of() {
+    name=$folder/$1 samples=$2 seed=$3
+    shift 3
+    [ -s "$name.pfm" ] || {
+        "$magichour" render "$@" --spp "$samples" --seed "$seed" --quiet --progress json -o "$folder/unfinished.$$.pfm" 2>"$name.json"
+        mv "$folder/unfinished.$$.pfm" "$name.pfm"
+    }
+}
+
+# A power of two of samples that take 0.15 s or more, by the measured time.
+samples_of() {
+    [ -s "$folder/$1.samples" ] || awk -v pixels=$pixels '{ for (p = 64; p * pixels * $1 < 0.15e9 && p < 2048; p *= 2); print p }' "$folder/$1-cosine.ns" >"$folder/$1.samples"
+    cat "$folder/$1.samples"
+}
+
+for scene in $scenes; do for disk in off sampled; do for light in cosine control mis; do
+    time_of "$scene-$disk-$light" $(options_of "$scene" 30 $disk) --light $light
+done; done; done
+
+for sun in $suns; do for scene in $scenes; do for disk in off sampled; do
+    options=$(options_of "$scene" "$sun" $disk)
+    cell=$scene-$sun-$disk
+    samples=$(samples_of "$scene-$disk")
+    for light in cosine control mis; do
+        noise_of "$cell-$light-1" "$samples" 1 $options --light $light
+        noise_of "$cell-$light-2" "$((2 * samples))" 2 $options --light $light
+    done
+    [ -s "$folder/$cell.auto" ] || "$magichour" render $options --spp 1 -v -o "$folder/timed.$$.pfm" 2>&1 |
+        sed -n 's/^sky.* light \([a-z]*\),.*/\1/p' >"$folder/$cell.auto"
+    echo "atlas-light: $cell"
+done; done; done
+rm -f "$folder"/timed.$$.* "$folder/times.$$"
+
+# A picture's values, one a line.
+values() {
+    od -A n -v -t f4 -w4 -j 14 "$1"
+}
+
+# The file with the time of a path. Below the horizon the sun's disk costs nothing.
+ns_file() {
+    if [ "$2" -lt 0 ]; then echo "$folder/$1-off-$4.ns"; else echo "$folder/$1-$3-$4.ns"; fi
+}
+
+echo "scene,sun,disk,light,samples,ns_a_path,percent_of_one_sample,share_of_ten_pixels,specks,estimated_over_true,auto" >"$folder/atlas-light.csv"
+for scene in $scenes; do for disk in off sampled; do for sun in $suns; do
+    cell=$scene-$sun-$disk
+    for light in cosine control mis; do
+        name=$folder/$cell-$light
+        values "$name-1.pfm" >"$folder/values.1"
+        values "$name-2.pfm" >"$folder/values.2"
+        paste "$folder/values.1" "$folder/values.2" |
+            awk -v row="$scene,$sun,$disk,$light" -v auto="$(cat "$folder/$cell.auto")" -v ns="$(cat "$(ns_file "$scene" "$sun" $disk $light)")" \
+                -v pixels=$pixels -v samples="$(cat "$folder/$scene-$disk.samples")" \
+                -v estimated="$(sed -n 's/.*"done": true.*"noise_percent": \([-0-9.e+]*\).*/\1/p' "$name-2.json")" \
+                -f "$tools/atlas_light.errors.awk" >>"$folder/atlas-light.csv"
+    done
+done; done; done
+awk -v map="$folder/map" -f "$tools/atlas_light.table.awk" "$folder/atlas-light.csv" >"$folder/atlas-light.md"
+gnuplot -c "$tools/atlas_light.gp" "$folder" "$charts/atlas-light.png"
+cp "$folder/atlas-light.csv" "$folder/atlas-light.md" "$charts"
+cat "$charts/atlas-light.md"
