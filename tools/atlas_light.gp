@@ -8,10 +8,9 @@ set cbtics ("1" 1, "1.1" 1.1, "1.3" 1.3, "2" 2, "4+" 4)
 set palette defined (0 "#26347c", 0.07 "#3f7fbf", 0.19 "#d9eef2", 0.5 "#fdbb5c", 0.75 "#e0492f", 1 "#4d0014")
 unset key
 set tics out nomirror scale 0.3
-stats folder."/map.off.auto" using 2 nooutput
-set yrange [STATS_max + 0.5:-0.5]
-stats folder."/map.off.auto" using 1 nooutput
-set xrange [-0.5:STATS_max + 0.5]
+stats folder."/map.off.auto" using 1:2 nooutput
+set xrange [-0.5:STATS_max_x + 0.5]
+set yrange [STATS_max_y + 0.5:-0.5]
 set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor "#b8b8b8" fillstyle solid noborder
 set multiplot layout 1,8 margins 0.1,0.9,0.07,0.87 spacing 0.008,0 \
     title "{/:Bold Time to a given error, the fastest method as 1.} Left without the sun's disk, right with it. Below: the sun's elevation. Grey: chance decides."

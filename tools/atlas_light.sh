@@ -47,10 +47,10 @@ time_of() {
 
 # A picture for the noise: noise_of NAME SAMPLES SEED OPTION...
 noise_of() {
-    name=$folder/$1 samples=$2 seed=$3
+    name=$folder/$1 spp=$2 seed=$3
     shift 3
     [ -s "$name.pfm" ] || {
-        "$magichour" render "$@" --spp "$samples" --seed "$seed" --quiet --progress json -o "$folder/unfinished.$$.pfm" 2>"$name.json"
+        "$magichour" render "$@" --spp "$spp" --seed "$seed" --quiet --progress json -o "$folder/unfinished.$$.pfm" 2>"$name.json"
         mv "$folder/unfinished.$$.pfm" "$name.pfm"
     }
 }
@@ -84,6 +84,11 @@ values() {
     od -A n -v -t f4 -w4 -j 14 "$1"
 }
 
+# A figure of a picture: said NAME FILE.
+said() {
+    sed -n "s/.*\"done\": true.*\"$1\": \([-0-9.e+]*\).*/\1/p" "$2"
+}
+
 # The file with the time of a path. Below the horizon the sun's disk costs nothing.
 ns_file() {
     if [ "$2" -lt 0 ]; then echo "$folder/$1-off-$4.ns"; else echo "$folder/$1-$3-$4.ns"; fi
@@ -98,8 +103,8 @@ for scene in $scenes; do for disk in off sampled; do for sun in $suns; do
         values "$name-2.pfm" >"$folder/values.2"
         paste "$folder/values.1" "$folder/values.2" |
             awk -v row="$scene,$sun,$disk,$light" -v auto="$(cat "$folder/$cell.auto")" -v ns="$(cat "$(ns_file "$scene" "$sun" $disk $light)")" \
-                -v pixels=$pixels -v samples="$(cat "$folder/$scene-$disk.samples")" \
-                -v estimated="$(sed -n 's/.*"done": true.*"noise_percent": \([-0-9.e+]*\).*/\1/p' "$name-2.json")" \
+                -v pixels=$pixels -v samples="$(said samples "$name-1.json")" \
+                -v estimated="$(said noise_percent "$name-2.json")" \
                 -f "$tools/atlas_light.errors.awk" >>"$folder/atlas-light.csv"
     done
 done; done; done

@@ -118,8 +118,7 @@ int main(int count, char **arguments) {
         fprintf(stderr, "true_error: %s\n", error.text);
         return STATUS_FAILURE;
     }
-    CompareOptions how = {
-        .tone = TONE_AUTHOR, .exposure_ev = exposure_of(arguments[1]), .sun = study.sun};
+    CompareOptions how = {.tone = TONE_AUTHOR, .exposure_ev = exposure_of(arguments[1]), .sun = study.sun};
     if (!measure(&study, &how, &percent, &levels, &error) || !worst_tile(&study, how, &tile, &error)) {
         fprintf(stderr, "true_error: %s: %s\n", arguments[1], error.text);
         return STATUS_FAILURE;
