@@ -296,7 +296,8 @@ static void test_charts(void **state) {
                    folder);
     assert_non_null(strstr(support_out, "reference: RMS "));
     assert_non_null(strstr(support_out, "kept from before"));
-    assert_true(strstr(support_out, " levels in ") || strstr(support_out, " levels, the least measured, in "));
+    assert_true(strstr(support_out, " levels in ") ||
+                strstr(support_out, " levels, the least measured, in "));
     assert_non_null(strstr(support_out, "/paths-levels.csv"));
     assert_true(strstr(support_out, "/paths-levels.png") && access(paths, F_OK) == 0);
 
