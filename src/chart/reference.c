@@ -186,16 +186,13 @@ static bool read_kept(Reference *reference, const char *path, const char *identi
 
 static bool keep(const Reference *reference, const char *path, const char *identity, Error *error) {
     AttributeList list = {0};
-    Text sun = {0};
     attribute_add(&list, "magichour.chart", "%s", identity);
     attribute_add(&list, "magichour.exposure", "%.9g", reference->exposure_ev);
     for (int i = 0; i < NOISE_MEASURES; i++)
         attribute_add(&list, noise_names[i], "%.6g", reference->noise[i]);
-    sun_pixels_print(reference->sun, reference->image.width, reference->image.height, &sun);
-    if (*text_string(&sun)) attribute_add(&list, SUN_PIXELS_ATTRIBUTE, "%s", text_string(&sun));
+    sun_pixels_describe(reference->sun, reference->image.width, reference->image.height, &list);
     bool ok = image_write(&reference->image, path, &(ImageWriteParams){.attributes = &list}, error);
     attribute_list_free(&list);
-    text_free(&sun);
     return ok;
 }
 

@@ -9,7 +9,6 @@
 static void describe_errors(const RenderJob *job, AttributeList *list) {
     const ProgressFigures *figures = &job->figures;
     const Noise *noise = &job->adaptive.noise;
-    Text sun = {0};
     if (figures->error[NOISE_RADIANCE] < INFINITY) {
         attribute_add(list, "magichour.error_percent", "%.4g", figures->error[NOISE_RADIANCE]);
         attribute_add(list, "magichour.noise_percent", "%.4g", figures->noise[NOISE_RADIANCE]);
@@ -20,9 +19,7 @@ static void describe_errors(const RenderJob *job, AttributeList *list) {
     }
     if (figures->promise)
         attribute_add(list, "magichour.promised", "%s", job->promise.given ? "true" : job->promise.reason);
-    sun_pixels_print(noise->left_out, noise->width, noise->height, &sun);
-    if (*text_string(&sun)) attribute_add(list, SUN_PIXELS_ATTRIBUTE, "%s", text_string(&sun));
-    text_free(&sun);
+    sun_pixels_describe(noise->left_out, noise->width, noise->height, list);
 }
 
 void render_describe(const RenderJob *job, int argc, char **argv, AttributeList *list) {

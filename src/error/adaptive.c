@@ -26,13 +26,7 @@ static int count_tiles(const Adaptive *adaptive) {
 }
 
 Adaptive adaptive_create(const Renderer *renderer, NoiseMeasure measure, const ToneTable *tone) {
-    const Film *film = &renderer->film;
-    Adaptive adaptive = {
-        .noise = noise_create(film->width, film->height, tone), .measure = measure, .deadline = INFINITY};
-    unsigned char *sun = memory_get((size_t)film->width * (size_t)film->height, 1);
-    sun_image_pixels(&renderer->sun_image, film->width, sun);
-    noise_leave_out(&adaptive.noise, sun);
-    free(sun);
+    Adaptive adaptive = {.noise = evidence_begin(renderer, tone), .measure = measure, .deadline = INFINITY};
     adaptive.wanted = memory_get((size_t)count_tiles(&adaptive), sizeof *adaptive.wanted);
     adaptive.regions = memory_get((size_t)count_tiles(&adaptive), sizeof *adaptive.regions);
     return adaptive;

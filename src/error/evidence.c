@@ -12,6 +12,16 @@ enum { ENOUGH_PIXELS = 50 };
  * estimate would be too uncertain. */
 enum { ENOUGH_SAMPLES = 16, ENOUGH_PATHS = 1 << 20 };
 
+Noise evidence_begin(const Renderer *renderer, const ToneTable *tone) {
+    const Film *film = &renderer->film;
+    Noise noise = noise_create(film->width, film->height, tone);
+    unsigned char *sun = memory_get((size_t)film->width * (size_t)film->height, 1);
+    sun_image_pixels(&renderer->sun_image, film->width, sun);
+    noise_leave_out(&noise, sun);
+    free(sun);
+    return noise;
+}
+
 static unsigned materials_near(const ChanceMap *map, size_t pixel) {
     return (unsigned)map->chance[4 * pixel + 3] & ((1U << FILM_CHANCE_MATERIALS) - 1);
 }

@@ -10,6 +10,11 @@
 
 #include "error/noise.h"
 #include "render/chance.h"
+#include "render/renderer.h"
+
+/* Begins the noise of a picture: that of its film, with the sun's own image left out where it is known from
+ * the start. `tone` is as for noise_create(). */
+Noise evidence_begin(const Renderer *renderer, const ToneTable *tone);
 
 typedef struct Evidence {
     /* A bit for each material whose class is not met. */

@@ -68,3 +68,10 @@ bool sun_pixels_parse(const char *text, unsigned char *mask, int width, int heig
     }
     return true;
 }
+
+void sun_pixels_describe(const unsigned char *mask, int width, int height, AttributeList *list) {
+    Text text = {0};
+    sun_pixels_print(mask, width, height, &text);
+    if (*text_string(&text)) attribute_add(list, SUN_PIXELS_ATTRIBUTE, "%s", text_string(&text));
+    text_free(&text);
+}

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/text.h"
+#include "image/attribute.h"
 
 /* The name of the metadata that hold the text. */
 #define SUN_PIXELS_ATTRIBUTE "magichour.sun_pixels"
@@ -19,3 +20,6 @@ void sun_pixels_print(const unsigned char *mask, int width, int height, Text *te
  * if the text is malformed or a rectangle is empty or not inside of the picture. Some pixels may be set then.
  */
 MUST_CHECK bool sun_pixels_parse(const char *text, unsigned char *mask, int width, int height, Error *error);
+
+/* Adds the pixels of the mask to a picture's metadata, if there are any. */
+void sun_pixels_describe(const unsigned char *mask, int width, int height, AttributeList *list);

@@ -1,7 +1,6 @@
 #include "view/pane.h"
 
 #include "base/clock.h"
-#include "base/memory.h"
 #include "base/text.h"
 
 #include <math.h>
@@ -170,18 +169,6 @@ bool pane_rests(const Pane *pane, const PaneParams *params) {
     return pane_is_ready(pane) && !pane->preview_samples && pane->renderer.film.samples >= params->samples;
 }
 
-/* Begins the noise of a picture as the window shows it. */
-static Noise noise_begin(const Renderer *renderer, double gain) {
-    const Film *film = &renderer->film;
-    ToneTable tone = tone_table(TONE_AUTHOR, gain);
-    Noise noise = noise_create(film->width, film->height, &tone);
-    unsigned char *sun = memory_get((size_t)film->width * (size_t)film->height, 1);
-    sun_image_pixels(&renderer->sun_image, film->width, sun);
-    noise_leave_out(&noise, sun);
-    free(sun);
-    return noise;
-}
-
 /* The estimate needs the picture at each doubling of its samples. In between it needs only their number. */
 static bool measure_noise(Pane *pane, Error *error) {
     const Film *film = &pane->renderer.film;
@@ -212,7 +199,8 @@ static bool estimate(Pane *pane, const PaneParams *params, Error *error) {
     Noise *noise = &pane->noise;
     double gain = exp2(params->scene->values.exposure_ev), rms, worst;
     uint64_t paths = film->samples * (uint64_t)film->width * (uint64_t)film->height;
-    if (!noise->tiles) *noise = noise_begin(renderer, gain);
+    ToneTable tone = tone_table(TONE_AUTHOR, gain);
+    if (!noise->tiles) *noise = evidence_begin(renderer, &tone);
     noise_show(noise, gain);
     for (int i = 0; i < noise->columns * noise->rows; i++) noise->tiles[i].samples = film->samples;
     if (!(film->samples & (film->samples - 1)) && !measure_noise(pane, error)) return false;

@@ -64,13 +64,6 @@ static bool join(const SaveParams *params, Image *image, Error *error) {
     return true;
 }
 
-static void describe_sun(AttributeList *list, const Noise *noise) {
-    Text sun = {0};
-    sun_pixels_print(noise->left_out, noise->width, noise->height, &sun);
-    if (*text_string(&sun)) attribute_add(list, SUN_PIXELS_ATTRIBUTE, "%s", text_string(&sun));
-    text_free(&sun);
-}
-
 static void describe(const SaveParams *params, const FilmCount *count, AttributeList *list) {
     const Pane *pane = params->sides[0];
     Text command = {0};
@@ -82,7 +75,9 @@ static void describe(const SaveParams *params, const FilmCount *count, Attribute
     attribute_add(list, "magichour.depth", "%d", params->max_hits);
     attribute_add(list, "magichour.rejected", "%" PRIu64, count->rejected);
     attribute_add(list, "magichour.seconds", "%.6f", pane->seconds);
-    if (pane->noise.tiles && !params->sides[1]) describe_sun(list, &pane->noise);
+    const Noise *noise = &pane->noise;
+    if (noise->tiles && !params->sides[1])
+        sun_pixels_describe(noise->left_out, noise->width, noise->height, list);
     describe_picture(list, params->scene, &pane->renderer, params->context);
     if (params->sides[1]) {
         const Renderer *right = &params->sides[1]->renderer;
