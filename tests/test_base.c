@@ -1,6 +1,7 @@
-/* Numbers and text. */
+/* Numbers, text and words that are near. */
 #include "support.h"
 
+#include "base/near.h"
 #include "base/number.h"
 #include "base/text.h"
 
@@ -70,11 +71,30 @@ static void test_quoted(void **state) {
     text_free(&expected);
 }
 
+static void test_near(void **state) {
+    (void)state;
+    static const char *const names[] = {"render", "crater", "gyroid", "--exposure", "sky", "box-room"};
+    static const struct {
+        const char *word, *name;
+    } cases[] = {
+        {"crater", "crater"},        {"cratre", "crater"}, {"creatr", "crater"},   {"gyriod", "gyroid"},
+        {"--exposre", "--exposure"}, {"skz", "sky"},       {"skzz", NULL},         {"", NULL},
+        {"box_room", "box-room"},    {"moon", NULL},       {"boxroom", "box-room"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Near near = near_to(cases[i].word, strlen(cases[i].word));
+        for (size_t k = 0; k < sizeof names / sizeof *names; k++) near_try(&near, names[k]);
+        const char *expected = cases[i].name;
+        if (expected ? !near.name || strcmp(near.name, expected) != 0 : near.name != NULL)
+            fail_msg("'%s': found %s", cases[i].word, near.name ? near.name : "nothing");
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_numbers),
         cmocka_unit_test(test_text),
         cmocka_unit_test(test_quoted),
+        cmocka_unit_test(test_near),
     };
     return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

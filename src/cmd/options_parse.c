@@ -1,11 +1,9 @@
 #include "cmd/options_parse.h"
 
-#include "base/memory.h"
+#include "base/near.h"
 #include "cmd/option_table.h"
 
 #include <math.h>
-#include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 static bool is_name(const char *name, const char *word, size_t length) {
@@ -28,60 +26,19 @@ static const CommandRow *find_command(const char *word) {
     return NULL;
 }
 
-static size_t least(size_t a, size_t b) {
-    return a < b ? a : b;
-}
-
-/* The number of letters that must be inserted, removed, changed or swapped with their neighbour to make one
- * word of the other. */
-static size_t word_distance(const char *a, size_t a_length, const char *b) {
-    size_t b_length = strlen(b), width = b_length + 1;
-    size_t *table = memory_get((a_length + 1) * width, sizeof *table);
-    for (size_t i = 0; i <= a_length; i++) {
-        for (size_t k = 0; k <= b_length; k++) {
-            size_t *cell = table + i * width + k;
-            if (!i || !k) {
-                *cell = i + k;
-                continue;
-            }
-            *cell = least(*(cell - width), *(cell - 1)) + 1;
-            *cell = least(*cell, *(cell - width - 1) + (a[i - 1] != b[k - 1]));
-            if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
-                *cell = least(*cell, *(cell - 2 * width - 2) + 1);
-        }
-    }
-    size_t distance = table[a_length * width + b_length];
-    free(table);
-    return distance;
-}
-
-/* Puts `name` into `nearest` if it is like `word` and nearer than what was found before. At most one letter
- * in three may be wrong. */
-static void try_name(const char *name, const char *word, size_t length, const char **nearest,
-                     size_t *distance) {
-    size_t trial = word_distance(word, length, name);
-    if (trial > strlen(name + strspn(name, "-")) / 3 || trial >= *distance) return;
-    *nearest = name;
-    *distance = trial;
-}
-
 static const char *nearest_option(const char *word, size_t length, Command command) {
-    const char *nearest = NULL;
-    size_t distance = SIZE_MAX;
+    Near near = near_to(word, length);
     for (int i = 0; i < option_table_size; i++) {
-        if (option_table[i].commands & (int)command)
-            try_name(option_table[i].name, word, length, &nearest, &distance);
+        if (option_table[i].commands & (int)command) near_try(&near, option_table[i].name);
     }
-    return nearest;
+    return near.name;
 }
 
 static bool unknown_command(const char *word, Error *error) {
-    const char *nearest = NULL;
-    size_t distance = SIZE_MAX;
-    for (int i = 0; i < command_table_size; i++)
-        try_name(command_table[i].name, word, strlen(word), &nearest, &distance);
+    Near near = near_to(word, strlen(word));
+    for (int i = 0; i < command_table_size; i++) near_try(&near, command_table[i].name);
     return error_set(error, STATUS_USAGE, "unknown command '%s'%s%s%s (see magichour --help)", word,
-                     nearest ? ": did you mean " : "", nearest ? nearest : "", nearest ? "?" : "");
+                     near.name ? ": did you mean " : "", near.name ? near.name : "", near.name ? "?" : "");
 }
 
 static bool unknown_option(const char *word, size_t length, const CommandRow *command, Error *error) {
