@@ -90,6 +90,14 @@ int support_run_tests(const char *name, const struct CMUnitTest *tests, size_t c
 
 /* ---- GLSL, files and the program */
 
+bool support_attribute(const char *path, const char *name, Text *value) {
+    Text file = {0};
+    Error error;
+    bool found = file_read(path, STATUS_FAILURE, &file, &error) && image_attribute(&file, name, value);
+    text_free(&file);
+    return found;
+}
+
 SourceStore *support_sources(void) {
     static SourceStore *sources;
     if (!sources) sources = source_store_create("glsl");

@@ -56,6 +56,9 @@ const char *support_path(const char *name);
 /* Writes a text file into the folder and gives its path. */
 const char *support_write(const char *name, const char *text);
 
+/* Appends the metadata of that name of a picture file; false where there is none. */
+bool support_attribute(const char *path, const char *name, Text *value);
+
 /* The texts of the GLSL library, which no test changes in place. */
 SourceStore *support_sources(void);
 

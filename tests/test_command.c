@@ -2,7 +2,6 @@
 #include "support.h"
 
 #include "base/text.h"
-#include "image/exr_attribute.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,7 +17,7 @@ static const char scene_text[] =
 static void make_again(const char *path) {
     Text command = {0}, quoted = {0};
     const char *first = support_path("first.exr");
-    assert_true(exr_attribute(path, "magichour.command", &command));
+    assert_true(support_attribute(path, "magichour.command", &command));
     assert_int_equal(rename(path, first), 0);
     text_print(&command, " >'%s' 2>&1", support_path("stdout"));
     if (system(text_string(&command)) != 0) fail_msg("%s", text_string(&command));
@@ -66,13 +65,13 @@ static void test_inputs(void **state) {
                    "--size 8x8 --spp 4 --quiet", picture);
     support_expect(0, "", "render '%s' --size 8x8 --spp 4 --quiet -o '%s'", scene, still);
     Text value = {0};
-    assert_true(exr_attribute(picture, "magichour.time", &value));
+    assert_true(support_attribute(picture, "magichour.time", &value));
     text_print(&value, " ");
-    assert_true(exr_attribute(picture, "magichour.mouse", &value));
+    assert_true(support_attribute(picture, "magichour.mouse", &value));
     assert_string_equal(text_string(&value), "3.3 700,2,3,-400.5");
     text_free(&value);
-    assert_false(exr_attribute(still, "magichour.time", &value));
-    assert_false(exr_attribute(still, "magichour.mouse", &value));
+    assert_false(support_attribute(still, "magichour.time", &value));
+    assert_false(support_attribute(still, "magichour.mouse", &value));
     make_again(picture);
     assert_int_equal(support_run("", "compare '%s' '%s' --max-relrmse 10", picture, still), 6);
     support_expect(2, "mouse: '3' is not four numbers a,b,c,d", "render '%s' --set mouse=3 -o '%s'", scene,

@@ -23,7 +23,8 @@ static void expect_pixel(const char *path, const char *layer, const float rgba[4
     Error error;
     Image image;
     Text said = {0};
-    if (!image_read_as(&image, path, &(ImageReadParams){layer, &said}, &error)) fail_msg("%s", error.text);
+    if (!image_read_as(&image, path, &(ImageReadParams){.layer = layer, .said = &said}, &error))
+        fail_msg("%s", error.text);
     assert_int_equal(image.width, 4);
     assert_int_equal(image.height, 3);
     for (int i = 0; i < 4 * 12; i++) {

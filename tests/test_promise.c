@@ -3,7 +3,6 @@
 
 #include "error/promise.h"
 #include "image/compare.h"
-#include "image/exr_attribute.h"
 #include "image/sun_pixels.h"
 
 #include <math.h>
@@ -28,7 +27,7 @@ static Comparison compare_with(const char *path, const char *truth) {
     Comparison result;
     Error error;
     assert_non_null(sun);
-    if (exr_attribute(path, SUN_PIXELS_ATTRIBUTE, &text))
+    if (support_attribute(path, SUN_PIXELS_ATTRIBUTE, &text))
         assert_true(sun_pixels_parse(text_string(&text), sun, a.width, a.height, &error));
     CompareOptions options = {.sun = sun};
     if (!compare_images(&a, &b, &options, &result, &error)) fail_msg("%s", error.text);
@@ -50,8 +49,8 @@ static void test_glass(void **state) {
         int status = support_run(
             "", "render tests/data/glass.glsl --size 32x32 " NO_AIR " --error 10 --seed %d -o '%s'", seed,
             out);
-        assert_true(exr_attribute(out, "magichour.promised", &promised));
-        assert_true(exr_attribute(out, "magichour.samples", &samples));
+        assert_true(support_attribute(out, "magichour.promised", &promised));
+        assert_true(support_attribute(out, "magichour.samples", &samples));
         double percent = compare_with(out, "tests/data/glass.exr").rel_rmse_percent;
         print_message("seed %d: %.3g %% true after %s samples, promised: %s\n", seed, percent,
                       text_string(&samples), text_string(&promised));
@@ -145,7 +144,7 @@ static void test_sun_in_view(void **state) {
                      "Material scene_material(Hit hit) { return matte(vec3(0.5)); }\n");
     support_expect(0, "", "render '%s' --sun-disk --size 48x32 --spp 4096 --seed 9 -o '%s'", scene, truth);
     support_expect(0, "", "render '%s' --sun-disk --size 48x32 --error 2 -o '%s'", scene, out);
-    assert_true(exr_attribute(out, SUN_PIXELS_ATTRIBUTE, &sun) && *text_string(&sun));
+    assert_true(support_attribute(out, SUN_PIXELS_ATTRIBUTE, &sun) && *text_string(&sun));
     Comparison result = compare_with(out, truth);
     print_message("%ld pixels of the sun; %.3g %% true\n", result.sun_pixels, result.rel_rmse_percent);
     assert_true(result.sun_pixels > 0 && result.sun_pixels < 12 && result.rel_rmse_percent < 2);

@@ -3,7 +3,6 @@
 
 #include "base/file.h"
 #include "base/memory.h"
-#include "image/exr_attribute.h"
 #include "image/format.h"
 
 #include <math.h>
@@ -106,7 +105,7 @@ static void test_save_moving(void **state) {
     desktop_do(window, "mousemove 700 500");
     const char *saved = desktop_save(window, "exr");
     desktop_quit(window);
-    assert_true(exr_attribute(saved, "magichour.command", &command));
+    assert_true(support_attribute(saved, "magichour.command", &command));
     assert_non_null(strstr(text_string(&command), " --set time="));
     assert_non_null(strstr(text_string(&command), " --set mouse=110,87,-100,-90"));
     Text script = {0};

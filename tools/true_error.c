@@ -11,7 +11,6 @@
 #include "base/memory.h"
 #include "base/number.h"
 #include "image/compare.h"
-#include "image/exr_attribute.h"
 #include "image/format.h"
 #include "image/sun_pixels.h"
 
@@ -22,6 +21,8 @@
 typedef struct Study {
     Image picture, halves[2], tile;
     unsigned char *sun;
+    /* The picture's file, for its metadata. */
+    Text bytes;
 } Study;
 
 /* An error and the reference's noise, squared. */
@@ -30,10 +31,11 @@ typedef struct Squares {
 } Squares;
 
 /* That at which the picture is shown. */
-static double exposure_of(const char *file) {
+static double exposure_of(const Text *file) {
     Text text = {0};
     double exposure_ev;
-    if (!exr_attribute(file, "magichour.exposure", &text) || !number_parse(text_string(&text), &exposure_ev))
+    if (!image_attribute(file, "magichour.exposure", &text) ||
+        !number_parse(text_string(&text), &exposure_ev))
         exposure_ev = 0;
     text_free(&text);
     return exposure_ev;
@@ -41,12 +43,12 @@ static double exposure_of(const char *file) {
 
 static bool read_all(Study *study, char **files, Error *error) {
     Text text = {0};
-    if (!image_read(&study->picture, files[0], error) || !image_read(&study->halves[0], files[1], error) ||
-        !image_read(&study->halves[1], files[2], error))
+    if (!image_read_as(&study->picture, files[0], &(ImageReadParams){.bytes = &study->bytes}, error) ||
+        !image_read(&study->halves[0], files[1], error) || !image_read(&study->halves[1], files[2], error))
         return false;
     int width = study->picture.width, height = study->picture.height;
     study->sun = memory_get((size_t)width * (size_t)height, 1);
-    bool ok = !exr_attribute(files[0], SUN_PIXELS_ATTRIBUTE, &text) ||
+    bool ok = !image_attribute(&study->bytes, SUN_PIXELS_ATTRIBUTE, &text) ||
               sun_pixels_parse(text_string(&text), study->sun, width, height, error);
     text_free(&text);
     study->tile = image_create(width, height);
@@ -118,7 +120,7 @@ int main(int count, char **arguments) {
         fprintf(stderr, "true_error: %s\n", error.text);
         return STATUS_FAILURE;
     }
-    CompareOptions how = {.tone = TONE_AUTHOR, .exposure_ev = exposure_of(arguments[1]), .sun = study.sun};
+    CompareOptions how = {.tone = TONE_AUTHOR, .exposure_ev = exposure_of(&study.bytes), .sun = study.sun};
     if (!measure(&study, &how, &percent, &levels, &error) || !worst_tile(&study, how, &tile, &error)) {
         fprintf(stderr, "true_error: %s: %s\n", arguments[1], error.text);
         return STATUS_FAILURE;
@@ -130,6 +132,7 @@ int main(int count, char **arguments) {
     image_free(&study.halves[0]);
     image_free(&study.halves[1]);
     image_free(&study.tile);
+    text_free(&study.bytes);
     free(study.sun);
     return STATUS_DONE;
 }

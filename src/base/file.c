@@ -1,5 +1,6 @@
 #include "base/file.h"
 
+#include "base/descriptor.h"
 #include "base/memory.h"
 
 #include <errno.h>
@@ -12,9 +13,8 @@
 
 static const size_t size_limit = (size_t)4 << 30;
 
-bool file_read(const char *path, Status status, Text *text, Error *error) {
-    FILE *file = fopen(path, "rb");
-    if (!file) return error_set(error, status, "%s: cannot be read: %s", path, strerror(errno));
+/* Appends all of an open file. */
+static bool read_all(FILE *file, const char *path, Status status, Text *text, Error *error) {
     char buffer[65536];
     size_t got;
     int failed = 0;
@@ -23,9 +23,31 @@ bool file_read(const char *path, Status status, Text *text, Error *error) {
         if (text->size > size_limit) failed = EFBIG; /* an endless device */
     }
     if (ferror(file)) failed = errno;
-    fclose(file);
     if (failed) return error_set(error, status, "%s: cannot be read: %s", path, strerror(failed));
     return true;
+}
+
+bool file_read(const char *path, Status status, Text *text, Error *error) {
+    FILE *file = fopen(path, "rb");
+    if (!file) return error_set(error, status, "%s: cannot be read: %s", path, strerror(errno));
+    bool ok = read_all(file, path, status, text, error);
+    fclose(file);
+    return ok;
+}
+
+bool file_read_input(Status status, Text *text, Error *error) {
+    return read_all(stdin, "standard input", status, text, error);
+}
+
+bool file_is_terminal(const char *path) {
+    int open_already = descriptor_of(path);
+    if (open_already >= 0) return isatty(open_already);
+    struct stat status;
+    if (stat(path, &status) != 0 || !S_ISCHR(status.st_mode)) return false;
+    int descriptor = open(path, O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    bool terminal = descriptor >= 0 && isatty(descriptor);
+    if (descriptor >= 0) close(descriptor);
+    return terminal;
 }
 
 bool file_is_special(const char *path) {
@@ -34,7 +56,8 @@ bool file_is_special(const char *path) {
 }
 
 static bool output_error(const char *path, int number, Error *error) {
-    return error_set(error, STATUS_OUTPUT, "%s: cannot be written: %s", path, strerror(number));
+    return error_set(error, STATUS_OUTPUT, "%s: cannot be written: %s",
+                     strcmp(path, "-") == 0 ? "standard output" : path, strerror(number));
 }
 
 /* The folder that holds `path`, to be freed. */
@@ -44,8 +67,17 @@ static char *folder_of(const char *path) {
     return slash == path ? strdup("/") : strndup(path, (size_t)(slash - path));
 }
 
+/* Whether an open file takes what is written. */
+static bool check_descriptor(int descriptor, const char *path, Error *error) {
+    int flags = fcntl(descriptor, F_GETFL);
+    if (flags < 0) return output_error(path, errno, error);
+    return (flags & O_ACCMODE) != O_RDONLY || output_error(path, EBADF, error);
+}
+
 bool file_check_target(const char *path, Error *error) {
     struct stat status;
+    int open_already = descriptor_of(path);
+    if (open_already >= 0) return check_descriptor(open_already, path, error);
     if (stat(path, &status) == 0) {
         if (S_ISDIR(status.st_mode)) return output_error(path, EISDIR, error);
         if (access(path, W_OK) != 0) return output_error(path, errno, error);
@@ -124,8 +156,10 @@ static char *link_target(const char *path) {
 }
 
 bool file_replace(const char *path, const void *data, size_t size, Error *error) {
-    int failed;
-    if (file_is_special(path)) {
+    int failed, open_already = descriptor_of(path);
+    if (open_already >= 0) {
+        failed = write_all(open_already, data, size);
+    } else if (file_is_special(path)) {
         failed = write_in_place(path, data, size);
     } else {
         char *target = link_target(path);

@@ -154,32 +154,34 @@ static bool make(Reference *reference, Maker *maker, double seconds, Error *erro
 /* The names of the metadata that hold a reference's noise. */
 static const char *const noise_names[NOISE_MEASURES] = {"magichour.error_percent", "magichour.error_levels"};
 
-static bool read_number(const char *path, const char *name, double *number) {
+static bool read_number(const Text *file, const char *name, double *number) {
     Text text = {0};
-    bool ok = exr_attribute(path, name, &text) && number_parse(text_string(&text), number);
+    bool ok = exr_attribute(file, name, &text) && number_parse(text_string(&text), number);
     text_free(&text);
     return ok;
 }
 
-static bool read_sun(Reference *reference, const char *path) {
+static bool read_sun(Reference *reference, const Text *file) {
     const Image *image = &reference->image;
     Text text = {0};
     Error ignored;
     reference->sun = memory_get((size_t)image->width * (size_t)image->height, 1);
-    bool ok = !exr_attribute(path, SUN_PIXELS_ATTRIBUTE, &text) ||
+    bool ok = !exr_attribute(file, SUN_PIXELS_ATTRIBUTE, &text) ||
               sun_pixels_parse(text_string(&text), reference->sun, image->width, image->height, &ignored);
     text_free(&text);
     return ok;
 }
 
 static bool read_kept(Reference *reference, const char *path, const char *identity) {
-    Text there = {0};
+    Text there = {0}, file = {0};
     Error ignored;
-    bool fits = exr_attribute(path, "magichour.chart", &there) &&
+    bool fits = image_read_as(&reference->image, path, &(ImageReadParams){.bytes = &file}, &ignored) &&
+                exr_attribute(&file, "magichour.chart", &there) &&
                 strcmp(text_string(&there), identity) == 0 &&
-                read_number(path, noise_names[NOISE_RADIANCE], &reference->noise[NOISE_RADIANCE]) &&
-                read_number(path, noise_names[NOISE_LEVELS], &reference->noise[NOISE_LEVELS]) &&
-                image_read(&reference->image, path, &ignored) && read_sun(reference, path);
+                read_number(&file, noise_names[NOISE_RADIANCE], &reference->noise[NOISE_RADIANCE]) &&
+                read_number(&file, noise_names[NOISE_LEVELS], &reference->noise[NOISE_LEVELS]) &&
+                read_sun(reference, &file);
+    text_free(&file);
     text_free(&there);
     return fits;
 }

@@ -1,7 +1,10 @@
+#include "base/descriptor.h"
 #include "base/memory.h"
 #include "base/number.h"
 #include "cmd/cmd.h"
 #include "cmd/compare_print.h"
+#include "cmd/option_values.h"
+#include "cmd/outputs.h"
 #include "image/difference.h"
 #include "image/format.h"
 #include "image/sun_pixels.h"
@@ -13,6 +16,8 @@
 
 typedef struct CompareJob {
     Image a, b, standard_error, mask;
+    /* The bytes of both files, for their metadata. */
+    Text a_bytes, b_bytes;
     CompareSaid said;
     /* The pixels of the sun's image in either picture. */
     unsigned char *sun;
@@ -41,9 +46,9 @@ static bool all_within(const Comparison *c, const Options *options) {
 }
 
 /* Marks the pixels of the sun's image that the picture's metadata name. */
-static bool mark_sun(CompareJob *job, const char *path, Error *error) {
+static bool mark_sun(CompareJob *job, const Text *bytes, const char *path, Error *error) {
     Text text = {0};
-    bool ok = !image_attribute(path, SUN_PIXELS_ATTRIBUTE, &text) ||
+    bool ok = !image_attribute(bytes, SUN_PIXELS_ATTRIBUTE, &text) ||
               sun_pixels_parse(text_string(&text), job->sun, job->b.width, job->b.height, error) ||
               error_prefix(error, "%s: ", path);
     text_free(&text);
@@ -54,7 +59,8 @@ static bool find_sun(CompareJob *job, const Options *options, Error *error) {
     /* Pictures of other sizes have other pixels; the comparison refuses them. */
     if (options->with_sun || job->a.width != job->b.width || job->a.height != job->b.height) return true;
     job->sun = memory_get((size_t)job->b.width * (size_t)job->b.height, 1);
-    return mark_sun(job, options->inputs[0], error) && mark_sun(job, options->inputs[1], error);
+    return mark_sun(job, &job->a_bytes, options->inputs[0], error) &&
+           mark_sun(job, &job->b_bytes, options->inputs[1], error);
 }
 
 /* The exposure that was asked for, or else that of a metadata: of A if only A is shown already, or else of B.
@@ -63,8 +69,8 @@ static double exposure(const CompareJob *job, const Options *options) {
     if (options->has_exposure) return options->exposure_ev;
     Text text = {0};
     double exposure_ev = 0;
-    const char *path = options->inputs[job->a.shown && !job->b.shown ? 0 : 1];
-    if (!image_attribute(path, "magichour.exposure", &text) ||
+    const Text *bytes = job->a.shown && !job->b.shown ? &job->a_bytes : &job->b_bytes;
+    if (!image_attribute(bytes, "magichour.exposure", &text) ||
         !number_parse(text_string(&text), &exposure_ev))
         exposure_ev = 0;
     text_free(&text);
@@ -82,8 +88,8 @@ static bool read_optional(const char *path, Image *image, Error *error) {
 }
 
 static bool pictures_read(CompareJob *job, const Options *options, Error *error) {
-    ImageReadParams read_a = {.layer = layer(options, 0), .said = &job->said.a};
-    ImageReadParams read_b = {.layer = layer(options, 1), .said = &job->said.b};
+    ImageReadParams read_a = {.layer = layer(options, 0), .said = &job->said.a, .bytes = &job->a_bytes};
+    ImageReadParams read_b = {.layer = layer(options, 1), .said = &job->said.b, .bytes = &job->b_bytes};
     if (!image_read_as(&job->a, options->inputs[0], &read_a, error) ||
         !image_read_as(&job->b, options->inputs[1], &read_b, error) ||
         !read_optional(options->standard_error, &job->standard_error, error) ||
@@ -111,7 +117,7 @@ static bool compare(CompareJob *job, const Options *options, Error *error) {
 }
 
 static bool write_picture(Image image, const char *path, Error *error) {
-    bool written = image_write(&image, path, &(ImageWriteParams){0}, error);
+    bool written = image_write(&image, path, &(ImageWriteParams){.format = "png"}, error);
     image_free(&image);
     return written;
 }
@@ -130,17 +136,32 @@ static bool pictures_write(const CompareJob *job, const Options *options, Error 
 }
 
 /* False colours are no radiance. */
-static bool path_check(const char *path, Error *error) {
-    const char *dot = path ? strrchr(path, '.') : NULL;
-    if (!path || (dot && strcasecmp(dot, ".png") == 0)) return true;
+static bool path_check(const char *path, const char *format, Error *error) {
+    const char *dot = strrchr(path, '.');
+    bool png = format ? strcmp(format, "png") == 0
+                      : descriptor_of(path) >= 0 || (dot && strcasecmp(dot, ".png") == 0);
+    if (png) return image_check_target(path, "png", error);
     return error_set(error, STATUS_USAGE, "%s: false colours can only be written as .png", path);
 }
 
+/* Checks where the pictures go. Standard output takes one, and then no figures. */
 static bool paths_check(const Options *options, Error *error) {
-    for (int i = 0; i < options->output_count; i++) {
-        if (!path_check(options->outputs[i], error)) return false;
+    Options pictures = *options;
+    if (options->side_by_side && !take_output(&pictures, "-o", options->side_by_side, error)) return false;
+    for (int i = 0; i < pictures.output_count; i++) {
+        if (!path_check(pictures.outputs[i], outputs_format(&pictures, i), error)) return false;
     }
-    return path_check(options->side_by_side, error);
+    pictures.format = "png";
+    return outputs_check(&pictures, error);
+}
+
+/* Standard input can be read once. */
+static bool inputs_check(const Options *options, Error *error) {
+    const char *const paths[] = {options->inputs[0], options->inputs[1], options->standard_error,
+                                 options->mask};
+    int count = 0;
+    for (int i = 0; i < 4; i++) count += paths[i] && strcmp(paths[i], "-") == 0;
+    return count < 2 || error_set(error, STATUS_USAGE, "-: standard input holds one picture");
 }
 
 /* With --quiet, the exit status says it all. */
@@ -162,6 +183,8 @@ static void job_free(CompareJob *job) {
     image_free(&job->b);
     image_free(&job->standard_error);
     image_free(&job->mask);
+    text_free(&job->a_bytes);
+    text_free(&job->b_bytes);
     text_free(&job->said.a);
     text_free(&job->said.b);
     free(job->sun);
@@ -171,7 +194,7 @@ static void job_free(CompareJob *job) {
 Status cmd_compare(const Options *options, Error *error) {
     CompareJob job = {0};
     Status status;
-    if (paths_check(options, error) && compare(&job, options, error) &&
+    if (inputs_check(options, error) && paths_check(options, error) && compare(&job, options, error) &&
         pictures_write(&job, options, error)) {
         if (!options->quiet && options->json)
             compare_print_json(&job.result, &job.said, all_within(&job.result, options));

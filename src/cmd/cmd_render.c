@@ -1,8 +1,8 @@
 #include "base/clock.h"
-#include "base/file.h"
 #include "choice/auto.h"
 #include "cmd/cmd.h"
 #include "cmd/interrupt.h"
+#include "cmd/outputs.h"
 #include "cmd/render_job.h"
 #include "cmd/setup.h"
 #include "image/format.h"
@@ -14,21 +14,15 @@
 
 static bool check_outputs(const Options *options, Error *error) {
     if (!options->output_count)
-        return error_set(error, STATUS_USAGE, "where to? (-o FILE.exr, .png or .pfm)");
-    for (int i = 0; i < options->output_count; i++) {
-        if (!image_check_path(options->outputs[i], error)) return false;
-    }
-    for (int i = 0; i < options->output_count; i++) {
-        if (!file_check_target(options->outputs[i], error)) return false;
-    }
-    return true;
+        return error_set(error, STATUS_USAGE, "where to? (-o FILE.exr, .png or .pfm, or -o - --format png)");
+    return outputs_check(options, error);
 }
 
 /* Checks the names of the layers, and that the picture's file format can hold them. */
 static bool check_aov(const Options *options, unsigned *kinds, Error *error) {
     if (!aov_parse(options->aov, kinds, error)) return false;
     for (int i = 0; i < options->output_count; i++) {
-        if (image_keeps_layers(options->outputs[i])) return true;
+        if (image_keeps_layers(options->outputs[i], outputs_format(options, i))) return true;
     }
     return !*kinds || error_set(error, STATUS_USAGE, "--aov: only .exr holds layers, and no -o names one");
 }
@@ -220,6 +214,7 @@ static bool write_outputs(const RenderJob *job, int argc, char **argv, Error *er
     ImageWriteParams params = {
         .exposure_ev = job->scene.values.exposure_ev, .tone = tone_of(options), .attributes = &attributes};
     for (int i = 0; ok && i < options->output_count; i++) {
+        params.format = outputs_format(options, i);
         ok = image_write(&job->image, options->outputs[i], &params, error);
     }
     attribute_list_free(&attributes);

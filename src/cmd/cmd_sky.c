@@ -1,7 +1,7 @@
-#include "base/file.h"
 #include "base/vec3.h"
 #include "base/version.h"
 #include "cmd/cmd.h"
+#include "cmd/outputs.h"
 #include "cmd/setup.h"
 #include "cmd/sky_at.h"
 #include "image/format.h"
@@ -64,6 +64,7 @@ static bool write_map(const SkyJob *job, const Image *image, int argc, char **ar
                                .attributes = &list};
     bool ok = true;
     for (int i = 0; ok && i < job->options->output_count; i++) {
+        params.format = outputs_format(job->options, i);
         ok = image_write(image, job->options->outputs[i], &params, error);
     }
     attribute_list_free(&list);
@@ -75,11 +76,7 @@ static bool make_map(SkyJob *job, int argc, char **argv, Error *error) {
     const Options *options = job->options;
     int width = options->width ? options->width : 1024,
         height = options->height ? options->height : width / 2;
-    if (!scene_check_size(width, height, error)) return false;
-    for (int i = 0; i < options->output_count; i++) {
-        if (!image_check_path(options->outputs[i], error) || !file_check_target(options->outputs[i], error))
-            return false;
-    }
+    if (!scene_check_size(width, height, error) || !outputs_check(options, error)) return false;
     MethodChoice disk;
     if (!sun_choose(&disk, options->sun_disk, &job->scene, error) ||
         !sky_job_open(job, &job->scene.values.atmosphere, (double)width * height, error)) {
@@ -108,6 +105,10 @@ Status cmd_sky(const Options *options, int argc, char **argv, Error *error) {
         error_set(error, STATUS_USAGE, "where to? (-o FILE.exr for a map, or --at FILE.csv)");
         return error->status;
     }
+    if (options->at && options->format) {
+        error_set(error, STATUS_USAGE, "--format is for maps: --at writes CSV");
+        return error->status;
+    }
     if (!options->at && options->spectrum) {
         error_set(error, STATUS_USAGE, "--spectrum is for --at alone");
         return error->status;
@@ -119,7 +120,7 @@ Status cmd_sky(const Options *options, int argc, char **argv, Error *error) {
     ok = setup_scene(options, NULL, &job.scene, error) &&
          (options->at ? sky_at(&job, error) : make_map(&job, argc, argv, error));
     if (ok && !options->at && !options->quiet) {
-        printf("%s: the sky by %s, sun at %g\n", options->outputs[0], job.method,
+        printf("%s: the sky by %s, sun at %g\n", outputs_name(options->outputs[0]), job.method,
                job.scene.values.sun.elevation_deg);
     }
     sky_job_close(&job);

@@ -6,8 +6,8 @@ const CommandRow command_table[] = {
      1},
     {COMMAND_SKY, "sky", "sky -o FILE | --at FILE.csv [options]",
      "the sky alone: a lat-long map, or listed directions", 0, 0},
-    {COMMAND_COMPARE, "compare", "compare A B [options]", "errors of picture A against the reference B", 2,
-     2},
+    {COMMAND_COMPARE, "compare", "compare A B [options]",
+     "errors of picture A against the reference B; - is standard input", 2, 2},
     {COMMAND_INFO, "info", "info [SCENE] [options]", "backends, methods, atmospheres; a scene's parameters",
      0, 1},
     {COMMAND_FLATTEN, "flatten", "flatten SCENE [options]",
@@ -43,9 +43,15 @@ enum {
 
 const OptionRow option_table[] = {
     {GROUP_OUTPUT, "-o", "FILE", R | S, TAKE(take_output),
-     "write the picture: .exr, .png or .pfm; may be repeated", NULL},
+     "write the picture: .exr, .png or .pfm; - is standard output; may be repeated", NULL},
+    {GROUP_OUTPUT, "--format", "FORMAT", R | S, TAKE(take_format),
+     "exr, png or pfm: the format of an -o that names none, such as -, and of a single -o whatever its "
+     "ending",
+     NULL},
     {GROUP_OUTPUT, "-o", "FILE", C, TAKE(take_output),
-     "write the difference in false colours, with its scale: .png; may be repeated", NULL},
+     "write the difference in false colours, with its scale: .png; - is standard output; may be repeated",
+     NULL},
+    {GROUP_OUTPUT, "--format", "FORMAT", C, TAKE(take_format), "png, the only format of false colours", NULL},
     {GROUP_OUTPUT, "--side-by-side", "FILE", C, STRING(side_by_side),
      "write A, B and the difference beside each other: .png", NULL},
     {GROUP_OUTPUT, "-o", "DIR", H, TAKE(take_output),

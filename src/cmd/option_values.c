@@ -143,6 +143,11 @@ static bool take_word(const char *name, const char *value, const char *const *wo
     return false;
 }
 
+bool take_format(Options *options, const char *name, const char *value, Error *error) {
+    static const char *const words[] = {"exr", "png", "pfm", NULL};
+    return take_word(name, value, words, &options->format, error);
+}
+
 bool take_tone(Options *options, const char *name, const char *value, Error *error) {
     static const char *const words[] = {"author", "none", NULL};
     return take_word(name, value, words, &options->tone, error);

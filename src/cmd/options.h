@@ -27,6 +27,8 @@ typedef struct Options {
     int input_count;
     const char *outputs[8];
     int output_count;
+    /* The format of the pictures; NULL where the outputs' endings name it. */
+    const char *format;
 
     /* Whether the help of `command` is wanted, or the program's if that is COMMAND_NONE. */
     bool help;

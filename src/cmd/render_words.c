@@ -1,3 +1,4 @@
+#include "cmd/outputs.h"
 #include "cmd/render_job.h"
 
 #include "render/chance.h"
@@ -54,7 +55,7 @@ void render_say_summary(const RenderJob *job) {
     const ProgressFigures *figures = &job->figures;
     const Adaptive *adaptive = &job->adaptive;
     for (int i = 0; i < job->options->output_count; i++)
-        printf("%s%s", i ? ", " : "", job->options->outputs[i]);
+        printf("%s%s", i ? ", " : "", outputs_name(job->options->outputs[i]));
     printf(": %.4g samples", figures->samples);
     if (adaptive->most > adaptive->least)
         printf(" (%" PRIu64 " to %" PRIu64 ")", adaptive->least, adaptive->most);

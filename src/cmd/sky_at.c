@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "cmd/gauge.h"
+#include "cmd/outputs.h"
 #include "cmd/sky_rows.h"
 #include "cmd/wavelengths.h"
 #include "scene/spectrum.h"
@@ -133,24 +134,19 @@ static bool ask_wavelengths(SkyJob *job, const Wavelengths *list, SkyRows *rows,
 
 static bool write_rows(const char *target, const SkyRows *rows, Error *error) {
     Text out = {0};
-    bool ok = true;
     sky_rows_print(rows, &out);
-    if (target) {
-        ok = file_replace(target, out.data, out.size, error);
-    } else if (fwrite(out.data, 1, out.size, stdout) != out.size) {
-        ok = error_set(error, STATUS_OUTPUT, "standard output: cannot be written");
-    }
+    bool ok = file_replace(target, out.data, out.size, error);
     text_free(&out);
     return ok;
 }
 
 bool sky_at(SkyJob *job, Error *error) {
     const Options *options = job->options;
-    const char *target = options->output_count ? options->outputs[0] : NULL;
+    const char *target = options->output_count ? options->outputs[0] : "-";
     Wavelengths list = {0};
     SkyRows rows;
     if (options->output_count > 1) return error_set(error, STATUS_USAGE, "--at writes one file");
-    if (target && !file_check_target(target, error)) return false;
+    if (!outputs_check_text(options, error)) return false;
     if (options->spectrum &&
         !wavelengths_choose(&list, options->spectrum, &job->scene.values.atmosphere, error))
         return false;

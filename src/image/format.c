@@ -12,6 +12,16 @@ typedef enum Format { FORMAT_EXR, FORMAT_PNG, FORMAT_PFM, FORMAT_COUNT } Format;
 
 static const char *const format_extensions[FORMAT_COUNT] = {".exr", ".png", ".pfm"};
 
+/* Finds the format of an ending such as ".png". */
+static bool format_find(const char *extension, Format *format) {
+    for (int i = 0; i < FORMAT_COUNT; i++) {
+        if (strcasecmp(extension, format_extensions[i]) != 0) continue;
+        *format = (Format)i;
+        return true;
+    }
+    return false;
+}
+
 /* From the last dot of the path's last part on; "" if there is none, or nothing in front of it. */
 static const char *extension_of(const char *path) {
     const char *slash = strrchr(path, '/');
@@ -20,40 +30,54 @@ static const char *extension_of(const char *path) {
     return dot && dot != name ? dot : "";
 }
 
-static bool format_choose(const char *path, Format *format, Error *error) {
+bool image_knows_ending(const char *path) {
+    Format format;
+    return format_find(extension_of(path), &format);
+}
+
+/* The format that was asked for by its name, or else that of the path's ending. */
+static bool format_choose(const char *path, const char *name, Format *format, Error *error) {
     const char *extension = extension_of(path);
-    for (int i = 0; i < FORMAT_COUNT; i++) {
-        if (strcasecmp(extension, format_extensions[i]) == 0) {
+    if (name) {
+        for (int i = 0; i < FORMAT_COUNT; i++) {
             *format = (Format)i;
-            return true;
+            if (strcmp(name, format_extensions[i] + 1) == 0) return true;
         }
+        return error_set(error, STATUS_USAGE, "unknown format '%s' (known: exr, png, pfm)", name);
     }
-    if (!*extension && file_is_special(path)) {
+    if (format_find(extension, format)) return true;
+    if (!*extension && strcmp(path, "-") != 0 && file_is_special(path)) {
         *format = FORMAT_EXR;
         return true;
     }
     if (!*extension) {
-        return error_set(error, STATUS_USAGE, "%s: no extension to choose the format by: .exr, .png or .pfm",
-                         path);
+        return error_set(error, STATUS_USAGE,
+                         "%s: no ending names the format (.exr, .png or .pfm): name it by --format", path);
     }
-    return error_set(error, STATUS_USAGE, "%s: unknown extension '%s': .exr, .png and .pfm can be written",
+    return error_set(error, STATUS_USAGE,
+                     "%s: unknown ending '%s': .exr, .png and .pfm can be written (or name one by --format)",
                      path, extension);
 }
 
-bool image_check_path(const char *path, Error *error) {
-    Format format;
-    return format_choose(path, &format, error);
+bool image_check_target(const char *path, const char *format, Error *error) {
+    Format chosen;
+    if (!format_choose(path, format, &chosen, error)) return false;
+    if (file_is_terminal(path))
+        return error_set(
+            error, STATUS_USAGE,
+            "%s: this is a terminal: send the picture to a file or to a program (> FILE, | PROGRAM)", path);
+    return file_check_target(path, error);
 }
 
-bool image_keeps_layers(const char *path) {
-    Format format;
+bool image_keeps_layers(const char *path, const char *format) {
+    Format chosen;
     Error error;
-    return format_choose(path, &format, &error) && format == FORMAT_EXR;
+    return format_choose(path, format, &chosen, &error) && chosen == FORMAT_EXR;
 }
 
 bool image_write(const Image *image, const char *path, const ImageWriteParams *params, Error *error) {
     Format format;
-    if (!format_choose(path, &format, error)) return false;
+    if (!format_choose(path, params->format, &format, error)) return false;
 
     Text file = {0};
     bool encoded = true;
@@ -73,7 +97,10 @@ bool image_read(Image *image, const char *path, Error *error) {
 bool image_read_as(Image *image, const char *path, const ImageReadParams *params, Error *error) {
     *image = (Image){0};
     Text file = {0};
-    bool read = file_read(path, STATUS_FAILURE, &file, error);
+    bool input = strcmp(path, "-") == 0;
+    bool read =
+        input ? file_read_input(STATUS_FAILURE, &file, error) : file_read(path, STATUS_FAILURE, &file, error);
+    if (input) path = "standard input";
     if (read) {
         const char *start = text_string(&file);
         if (file.size >= 4 && memcmp(start, "\x76\x2f\x31\x01", 4) == 0) {
@@ -89,10 +116,13 @@ bool image_read_as(Image *image, const char *path, const ImageReadParams *params
             read = error_set(error, STATUS_FAILURE, "%s: neither an EXR nor a PFM nor a PNG picture", path);
         }
     }
-    text_free(&file);
+    if (read && params && params->bytes)
+        *params->bytes = file;
+    else
+        text_free(&file);
     return read;
 }
 
-bool image_attribute(const char *path, const char *name, Text *value) {
-    return exr_attribute(path, name, value) || png_attribute(path, name, value);
+bool image_attribute(const Text *file, const char *name, Text *value) {
+    return exr_attribute(file, name, value) || png_attribute(file, name, value);
 }

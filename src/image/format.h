@@ -6,24 +6,31 @@
 #include "image/read_params.h"
 #include "image/write_params.h"
 
-/* Whether the path's extension (.exr, .png, .pfm) names a format that can be written; STATUS_USAGE if not.
- * A device or pipe without an extension is given EXR. */
-MUST_CHECK bool image_check_path(const char *path, Error *error);
+/* In what follows, `format` is "exr", "png" or "pfm". Where it is NULL, the path's ending (.exr, .png, .pfm)
+ * names the format; a device or pipe without an ending is given EXR. */
+
+/* Whether a picture can be written there: the format is known (STATUS_USAGE if not), the path is no terminal,
+ * and file_check_target() finds no fault. */
+MUST_CHECK bool image_check_target(const char *path, const char *format, Error *error);
+
+/* Whether the path's ending names a format. */
+bool image_knows_ending(const char *path);
 
 /* Whether a picture written to this path keeps its layers. */
-bool image_keeps_layers(const char *path);
+bool image_keeps_layers(const char *path, const char *format);
 
-/* Encodes by the path's extension and replaces the file (see file_replace). */
+/* Encodes in `params->format` and replaces the file (see file_replace). */
 MUST_CHECK bool image_write(const Image *image, const char *path, const ImageWriteParams *params,
                             Error *error);
 
 /* Reads EXR, PFM or PNG, told apart by content. A PNG is light as it is shown (Image.shown). Missing alpha
- * becomes 1; a luminance-only file becomes grey. `params` may be NULL. Fails with STATUS_FAILURE and leaves
- * an empty picture. */
+ * becomes 1; a luminance-only file becomes grey. The path "-" is standard input. `params` may be NULL. Fails
+ * with STATUS_FAILURE and leaves an empty picture. */
 MUST_CHECK bool image_read_as(Image *image, const char *path, const ImageReadParams *params, Error *error);
 
 /* The same with default params. */
 MUST_CHECK bool image_read(Image *image, const char *path, Error *error);
 
-/* Appends the metadata of that name; false where there is no such file or line. PFM has none. */
-bool image_attribute(const char *path, const char *name, Text *value);
+/* Appends the metadata of that name, out of a file's bytes; false where there is no such line. PFM has none.
+ */
+bool image_attribute(const Text *file, const char *name, Text *value);

@@ -3,6 +3,6 @@
 
 #include "base/text.h"
 
-/* Appends the metadata of that name, if it stands in front of the pixels; false where there is no such file
- * or line. */
-bool png_attribute(const char *path, const char *name, Text *value);
+/* Appends the metadata of that name, if it stands in front of the pixels; false where the bytes are no
+ * PNG or there is no such line. */
+bool png_attribute(const Text *file, const char *name, Text *value);

@@ -1,7 +1,6 @@
 #include "image/codec.h"
 #include "image/png_attribute.h"
 
-#include "base/file.h"
 #include "base/memory.h"
 
 #include <math.h>
@@ -136,11 +135,10 @@ static bool text_find(png_structp png, png_infop info, const char *name, Text *v
     return false;
 }
 
-bool png_attribute(const char *path, const char *name, Text *value) {
+bool png_attribute(const Text *file, const char *name, Text *value) {
     Error ignored;
-    Text file = {0};
-    if (!file_read(path, STATUS_FAILURE, &file, &ignored)) return false;
-    PngSource source = {.file = &file, .path = path, .error = &ignored};
+    if (!file->size) return false;
+    PngSource source = {.file = file, .path = "PNG", .error = &ignored};
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, png_fail, png_ignore);
     png_infop info = png ? png_create_info_struct(png) : NULL;
     bool found = false;
@@ -149,6 +147,5 @@ bool png_attribute(const char *path, const char *name, Text *value) {
         found = text_find(png, info, name, value);
     }
     png_destroy_read_struct(&png, &info, NULL);
-    text_free(&file);
     return found;
 }

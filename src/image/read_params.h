@@ -10,4 +10,6 @@ typedef struct ImageReadParams {
     /* If it is not NULL, what a reader of figures should know is appended: a line for each conversion, and
      * for each choice that could have been another. */
     Text *said;
+    /* If it is not NULL, it gets the file's bytes, for image_attribute(). To be freed. */
+    Text *bytes;
 } ImageReadParams;

@@ -8,6 +8,8 @@
 
 /* Zero is the default. */
 typedef struct ImageWriteParams {
+    /* "exr", "png" or "pfm". If it is NULL, the path's ending names the format. */
+    const char *format;
     /* Of display formats only: radiance is multiplied by 2^exposure, then goes through the curve. */
     double exposure_ev;
     Tone tone;

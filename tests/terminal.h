@@ -1,0 +1,19 @@
+/* A terminal of the test's own, to which the program may write. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct Terminal {
+    int master, kept;
+    /* As the shell opens it: 2>NAME. */
+    char name[128];
+} Terminal;
+
+/* Opens a terminal of so many columns; skips the test where there is none. */
+void terminal_open(Terminal *terminal, int columns);
+
+/* What was written since, at most `size` - 1 characters, and a zero. What is not read waits up to 4096
+ * characters and then stops the writer. */
+size_t terminal_read(const Terminal *terminal, char *text, size_t size);
+void terminal_close(Terminal *terminal);
