@@ -40,6 +40,7 @@ static Status run(const Options *options, int argc, char **argv, Error *error) {
     case COMMAND_EXPLAIN:
         return cmd_explain(options, error);
     case COMMAND_HELP:
+    case COMMAND_VERSION:
     case COMMAND_NONE:
         break;
     }

@@ -47,6 +47,65 @@ static void test_options(void **state) {
     assert_false(options.has_azimuth);
 }
 
+/* Every option takes its value in each of the usual ways: behind a blank and behind "="; one with a short
+ * name also right behind that. */
+static void test_option_forms(void **state) {
+    (void)state;
+    static const char *const outputs[] = {"-o a.exr",       "-oa.exr",        "-o=a.exr",
+                                          "--output a.exr", "--output=a.exr", "-o -"};
+    Options options;
+    Error error = {0};
+    char line[256];
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++) {
+        snprintf(line, sizeof line, "magichour render a %s --spp=3", outputs[i]);
+        if (!parse(&options, line, &error)) fail_msg("%s: %s", line, error.text);
+        assert_string_equal(options.outputs[0], i < 5 ? "a.exr" : "-");
+        assert_true(options.output_count == 1 && options.samples == 3 && options.input_count == 1);
+    }
+    for (int i = 0; i < option_table_size; i++) {
+        const OptionRow *row = &option_table[i];
+        if (row->kind != OPTION_STRING || row->name[1] != '-') continue;
+        for (int c = 0; c < command_table_size; c++) {
+            if (!(row->commands & (int)command_table[c].command)) continue;
+            const char *files = command_table[c].min_inputs == 2 ? "a b"
+                                : command_table[c].min_inputs    ? "a"
+                                                                 : "";
+            for (int bound = 0; bound < 2; bound++) {
+                snprintf(line, sizeof line, "magichour %s %s %s%cword", command_table[c].name, files,
+                         row->name, bound ? '=' : ' ');
+                if (!parse(&options, line, &error)) fail_msg("%s: %s", line, error.text);
+                assert_string_equal(*(const char **)(void *)((char *)&options + row->offset), "word");
+            }
+        }
+    }
+}
+
+/* The sun's disk as scenes write it, with the word behind a blank or not. The scene's file may stand behind
+ * the option that has no word. */
+static void test_sun_disk_forms(void **state) {
+    (void)state;
+    static const struct {
+        const char *words, *method;
+    } cases[] = {
+        {"--sun-disk", "auto"},          {"--sun-disk on", "auto"},   {"--sun-disk=on", "auto"},
+        {"--sun-disk off", "off"},       {"--sun-disk=off", "off"},   {"--sun-disk chance", "chance"},
+        {"--sun-disk=chance", "chance"}, {"--sun-disk=auto", "auto"}, {"--quiet", NULL},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        for (int first = 0; first < 2; first++) {
+            Options options;
+            Error error = {0};
+            char line[256];
+            snprintf(line, sizeof line, "magichour render %s %s %s", first ? "" : "a.glsl", cases[i].words,
+                     first ? "a.glsl" : "");
+            if (!parse(&options, line, &error)) fail_msg("%s: %s", line, error.text);
+            assert_string_equal(options.inputs[0], "a.glsl");
+            assert_true(!cases[i].method == !options.sun_disk);
+            if (cases[i].method) assert_string_equal(options.sun_disk, cases[i].method);
+        }
+    }
+}
+
 static void test_options_refused(void **state) {
     (void)state;
     static const struct {
@@ -64,7 +123,19 @@ static void test_options_refused(void **state) {
         {"magichour render a --psp=4", "unknown option '--psp': did you mean --spp?"},
         {"magichour render a --exposure-value 1", "unknown option '--exposure-value' (see"},
         {"magichour render a -x", "unknown option '-x' (see"},
-        {"magichour compare a b --spp 3", "unknown option '--spp' (see"},
+        {"magichour compare a b --spp 3", "compare has no option '--spp': it is one of render, view (see"},
+        {"magichour sky -o a.exr --light=mis",
+         "sky has no option '--light': it is one of render, view, flatten"},
+        {"magichour render a -sun 3", "unknown option '-sun': did you mean --sun?"},
+        {"magichour render a --outptu b", "unknown option '--outptu': did you mean --output?"},
+        {"magichour render a -o --quiet", "-o needs a value FILE, and '--quiet' is an option"},
+        {"magichour render a --sky --light mis", "--sky needs a value METHOD, and '--light' is an option"},
+        {"magichour render a -o", "-o needs a value FILE"},
+        {"magichour render a -vquiet", "unknown option '-vquiet'"},
+        {"magichour render a --sun-disk never", "'never' is one file too many"},
+        {"magichour version a", "'a' is one file too many"},
+        {"magichour verison", "unknown command 'verison': did you mean version?"},
+        {"magichour --help rendre", "unknown command 'rendre': did you mean render?"},
         {"magichour render a --spp", "--spp needs a value N"},
         {"magichour render a --spp 0", "'0' is not a whole number from 1"},
         {"magichour render a --spp 1.5", "'1.5' is not a whole number"},
@@ -81,6 +152,7 @@ static void test_options_refused(void **state) {
         {"magichour render a --set =3", "not NAME=VALUE"},
         {"magichour render a --quiet=1", "--quiet takes no value"},
         {"magichour render a --progress loud", "unknown 'loud' (known: tty, json, none)"},
+        {"magichour render a --progress jsno", "unknown 'jsno': did you mean json? (known"},
         {"magichour render a --exposure inf", "not a number from -64 to 64"},
         {"magichour compare a b --max-bias x", "'x' is not a number"},
     };
@@ -107,13 +179,16 @@ static void test_help_asked(void **state) {
         {"magichour render -h", COMMAND_RENDER},
         {"magichour help render", COMMAND_RENDER},
         {"magichour help sky", COMMAND_SKY},
+        {"magichour --help sky", COMMAND_SKY},
+        {"magichour -h render", COMMAND_RENDER},
+        {"magichour version -h", COMMAND_VERSION},
         {"magichour compare a b -h c", COMMAND_COMPARE},
         {"magichour help help", COMMAND_HELP},
         {"magichour help -h", COMMAND_HELP},
         {"magichour render a -h --frob", COMMAND_RENDER},
     };
     static const char *const version[] = {"magichour --version", "magichour render --version",
-                                          "magichour help --version"};
+                                          "magichour help --version", "magichour version"};
     Options options;
     Error error;
     for (size_t i = 0; i < sizeof help / sizeof *help; i++) {
@@ -226,9 +301,10 @@ static void test_help_run(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_options),     cmocka_unit_test(test_options_refused),
-        cmocka_unit_test(test_help_asked),  cmocka_unit_test(test_help),
-        cmocka_unit_test(test_help_groups), cmocka_unit_test(test_manual),
+        cmocka_unit_test(test_options),        cmocka_unit_test(test_option_forms),
+        cmocka_unit_test(test_sun_disk_forms), cmocka_unit_test(test_options_refused),
+        cmocka_unit_test(test_help_asked),     cmocka_unit_test(test_help),
+        cmocka_unit_test(test_help_groups),    cmocka_unit_test(test_manual),
         cmocka_unit_test(test_help_run),
     };
     return cmocka_run_group_tests_name("options", tests, support_folder, support_clean);

@@ -37,7 +37,9 @@ Near near_to(const char *word, size_t length) {
 
 void near_try(Near *near, const char *name) {
     size_t distance = word_distance(near->word, near->length, name);
-    if (distance > strlen(name + strspn(name, "-")) / 3 || distance >= near->distance) return;
+    if (distance > strlen(name + strspn(name, "-")) / 3 || distance > near->distance) return;
+    /* Of two that are as near, the longer one: letters are left out more often than added. */
+    if (distance == near->distance && strlen(name) <= strlen(near->name)) return;
     near->name = name;
     near->distance = distance;
 }

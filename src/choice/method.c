@@ -1,7 +1,7 @@
 #include "choice/method.h"
 
+#include "base/known.h"
 #include "base/number.h"
-#include "base/text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -246,20 +246,18 @@ bool method_choose(MethodChoice *choice, MethodFamily family, const char *text, 
     if (method_is_auto(text)) text = families[family].fallback;
     size_t length = strcspn(text, ":@");
     const char *numbers = text[length] == ':' ? text + length + 1 : text[length] ? text + length : NULL;
-    Text known = {0};
+    Known known = known_to(text, length);
+    known_add(&known, "auto");
     *choice = (MethodChoice){0};
     for (int i = 0; method_get(i); i++) {
         const Method *method = &methods[i];
         if (method->family != family) continue;
         if (strlen(method->name) == length && strncmp(method->name, text, length) == 0) {
-            text_free(&known);
+            known_free(&known);
             choice->method = method;
             return parse_numbers(choice, numbers, error);
         }
-        text_print(&known, ", %s", method->name);
+        known_add(&known, method->name);
     }
-    error_set(error, STATUS_USAGE, "%s: unknown method '%s' (known: auto%s)", families[family].option, text,
-              text_string(&known));
-    text_free(&known);
-    return false;
+    return known_fail(&known, STATUS_USAGE, error, "%s: unknown method '%s'", families[family].option, text);
 }

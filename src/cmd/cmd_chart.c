@@ -1,7 +1,7 @@
 #include "chart/chart.h"
 #include "chart/identity.h"
 
-#include "base/file.h"
+#include "base/known.h"
 #include "base/version.h"
 #include "choice/auto.h"
 #include "cmd/cmd.h"
@@ -36,6 +36,12 @@ typedef struct Job {
     Gauge gauge;
 } Job;
 
+static bool unknown_chart(const char *name, size_t length, Error *error) {
+    Known known = known_to(name, length);
+    for (int i = 0; i < CHARTS; i++) known_add(&known, charts[i].name);
+    return known_fail(&known, STATUS_USAGE, error, "--charts: unknown '%.*s'", (int)length, name);
+}
+
 /* Reads a list such as "paths,sky". */
 static bool choose_charts(const char *list, bool wanted[CHARTS], Error *error) {
     if (!list) memset(wanted, true, CHARTS * sizeof *wanted);
@@ -44,9 +50,7 @@ static bool choose_charts(const char *list, bool wanted[CHARTS], Error *error) {
         int at = 0;
         while (at < CHARTS && (strlen(charts[at].name) != length || strncmp(charts[at].name, list, length)))
             at++;
-        if (at == CHARTS)
-            return error_set(error, STATUS_USAGE, "--charts: unknown '%.*s' (known: paths, sky, scale)",
-                             (int)length, list);
+        if (at == CHARTS) return unknown_chart(list, length, error);
         wanted[at] = true;
         list = list[length] ? list + length + 1 : NULL;
     }

@@ -59,7 +59,7 @@ static void print_row(const char *left, int indent, const char *right, int colum
 /* Prints such as "--size WxH", "--sun-disk[=METHOD]" or "-h, --help". */
 static void option_words(const OptionRow *row, char *words, size_t size) {
     snprintf(words, size, "%s%s%s%s%s", row->alias ? row->alias : "", row->alias ? ", " : "", row->name,
-             row->argument && row->kind != OPTION_OPTIONAL ? " " : "", row->argument ? row->argument : "");
+             row->argument && row->argument[0] != '[' ? " " : "", row->argument ? row->argument : "");
 }
 
 /* Prints what an option does. For an option that takes a method it adds the methods and what auto chooses. */

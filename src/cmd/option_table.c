@@ -17,6 +17,7 @@ const CommandRow command_table[] = {
     {COMMAND_EXPLAIN, "explain", "explain SCENE [options]",
      "what a scene needs: the change and the cost of each term of the model", 1, 1},
     {COMMAND_HELP, "help", "help [COMMAND]", "the commands, or a command's options", 0, 1},
+    {COMMAND_VERSION, "version", "version", "the program's version", 0, 0},
 };
 const int command_table_size = sizeof command_table / sizeof *command_table;
 
@@ -32,30 +33,31 @@ enum {
     S = COMMAND_SKY,
     H = COMMAND_CHART,
     E = COMMAND_EXPLAIN,
-    ALL = R | V | C | I | F | S | H | E | COMMAND_HELP
+    ALL = R | V | C | I | F | S | H | E | COMMAND_HELP | COMMAND_VERSION
 };
 
 /* These are a row's kind, function and offset. */
 #define TAKE(function) OPTION_TAKE, function, 0
 #define STRING(member) OPTION_STRING, NULL, offsetof(Options, member)
 #define OPTIONAL(member) OPTION_OPTIONAL, NULL, offsetof(Options, member)
+#define SWITCH(member) OPTION_SWITCH, NULL, offsetof(Options, member)
 #define FLAG(member) OPTION_FLAG, NULL, offsetof(Options, member)
 
 const OptionRow option_table[] = {
     {GROUP_OUTPUT, "-o", "FILE", R | S, TAKE(take_output),
-     "write the picture: .exr, .png or .pfm; - is standard output; may be repeated", NULL},
+     "write the picture: .exr, .png or .pfm; - is standard output; may be repeated", "--output"},
     {GROUP_OUTPUT, "--format", "FORMAT", R | S, TAKE(take_format),
      "exr, png or pfm: the format of an -o that names none, such as -, and of a single -o whatever its "
      "ending",
      NULL},
     {GROUP_OUTPUT, "-o", "FILE", C, TAKE(take_output),
      "write the difference in false colours, with its scale: .png; - is standard output; may be repeated",
-     NULL},
+     "--output"},
     {GROUP_OUTPUT, "--format", "FORMAT", C, TAKE(take_format), "png, the only format of false colours", NULL},
     {GROUP_OUTPUT, "--side-by-side", "FILE", C, STRING(side_by_side),
      "write A, B and the difference beside each other: .png", NULL},
     {GROUP_OUTPUT, "-o", "DIR", H, TAKE(take_output),
-     "the folder for CSV, SVG, PNG and the reference; made if need be", NULL},
+     "the folder for CSV, SVG, PNG and the reference; made if need be", "--output"},
     {GROUP_OUTPUT, "--size", "WxH", H, TAKE(take_size), "picture size in pixels; 256x256 by default", NULL},
     {GROUP_OUTPUT, "--size", "WxH", E, TAKE(take_size), "picture size in pixels; 128x128 by default", NULL},
     {GROUP_OUTPUT, "--size", "WxH", R | V | S, TAKE(take_size),
@@ -97,8 +99,11 @@ const OptionRow option_table[] = {
 
     {GROUP_SKY, "--sun", "EL[,AZ]", R | V | S | H | E, TAKE(take_sun),
      "the sun's elevation and azimuth (from +z toward +x), degrees", NULL},
-    {GROUP_SKY, "--sun-disk", "[=METHOD]", R | V | F | S | H | E, OPTIONAL(sun_disk),
-     "show the sun's disk, 0.2666 degrees in radius; on if the scene says so", NULL},
+    {GROUP_SKY, "--sun-disk", "[=METHOD]", R | V | F | S | H | E, SWITCH(sun_disk),
+     "show the sun's disk, 0.2666 degrees in radius: on, off or a method; on if it has no word; the scene's "
+     "by "
+     "default",
+     NULL},
     {GROUP_SKY, "--atmosphere", "NAME", R | V | S | F | H | E, STRING(atmosphere),
      "a preset of the atmosphere (see info)", NULL},
     {GROUP_SKY, "--orders", "N", R | V | S | F | H | E, STRING(orders),

@@ -28,7 +28,9 @@ typedef enum OptionKind {
     /* It has no value. */
     OPTION_FLAG,
     /* It keeps the word after its "=", or "auto" where there is none. */
-    OPTION_OPTIONAL
+    OPTION_OPTIONAL,
+    /* The same, and the next word is its word if that is `on`, `off` or a method. `on` stands for "auto". */
+    OPTION_SWITCH
 } OptionKind;
 
 typedef struct OptionRow {

@@ -1,7 +1,7 @@
 #include "cmd/option_values.h"
 
+#include "base/known.h"
 #include "base/number.h"
-#include "base/text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -129,18 +129,16 @@ bool take_max_levels(Options *options, const char *name, const char *value, Erro
 /* Reads an option whose value is one of these words. */
 static bool take_word(const char *name, const char *value, const char *const *words, const char **target,
                       Error *error) {
-    Text known = {0};
+    Known known = known_to(value, strlen(value));
     for (; *words; words++) {
         if (strcmp(*words, value) == 0) {
-            text_free(&known);
+            known_free(&known);
             *target = *words;
             return true;
         }
-        text_print(&known, "%s%s", known.size ? ", " : "", *words);
+        known_add(&known, *words);
     }
-    error_set(error, STATUS_USAGE, "%s: unknown '%s' (known: %s)", name, value, text_string(&known));
-    text_free(&known);
-    return false;
+    return known_fail(&known, STATUS_USAGE, error, "%s: unknown '%s'", name, value);
 }
 
 bool take_format(Options *options, const char *name, const char *value, Error *error) {

@@ -17,7 +17,8 @@ typedef enum Command {
     COMMAND_VIEW = 1 << 5,
     COMMAND_CHART = 1 << 6,
     COMMAND_EXPLAIN = 1 << 7,
-    COMMAND_HELP = 1 << 8
+    COMMAND_HELP = 1 << 8,
+    COMMAND_VERSION = 1 << 9
 } Command;
 
 /* Options that were not given are NULL, 0 or false, unless it is said otherwise. Strings belong to argv. */
@@ -68,7 +69,7 @@ typedef struct Options {
     /* A list of layers such as "albedo,depth". */
     const char *aov;
 
-    /* The method for the sun's disk; "auto" if the option has no word. */
+    /* The method for the sun's disk; "auto" if the option has no word, or `on`. */
     const char *sun_disk;
 
     /* The orders of scattering, "all" or a number, and how those beyond the first are computed. */

@@ -1,6 +1,8 @@
 #include "cmd/options_parse.h"
 
 #include "base/near.h"
+#include "base/text.h"
+#include "choice/method.h"
 #include "cmd/option_table.h"
 
 #include <math.h>
@@ -26,14 +28,6 @@ static const CommandRow *find_command(const char *word) {
     return NULL;
 }
 
-static const char *nearest_option(const char *word, size_t length, Command command) {
-    Near near = near_to(word, length);
-    for (int i = 0; i < option_table_size; i++) {
-        if (option_table[i].commands & (int)command) near_try(&near, option_table[i].name);
-    }
-    return near.name;
-}
-
 static bool unknown_command(const char *word, Error *error) {
     Near near = near_to(word, strlen(word));
     for (int i = 0; i < command_table_size; i++) near_try(&near, command_table[i].name);
@@ -41,11 +35,32 @@ static bool unknown_command(const char *word, Error *error) {
                      near.name ? ": did you mean " : "", near.name ? near.name : "", near.name ? "?" : "");
 }
 
+/* An option of other commands: says which. */
+static bool other_option(const char *word, size_t length, const CommandRow *command, Error *error) {
+    Text commands = {0};
+    for (int i = 0; i < command_table_size; i++) {
+        if (!find_option(word, length, command_table[i].command)) continue;
+        text_print(&commands, "%s%s", commands.size ? ", " : "", command_table[i].name);
+    }
+    bool found = commands.size > 0;
+    if (found)
+        error_set(error, STATUS_USAGE, "%s has no option '%.*s': it is one of %s (see magichour %s --help)",
+                  command->name, (int)length, word, text_string(&commands), command->name);
+    text_free(&commands);
+    return found;
+}
+
 static bool unknown_option(const char *word, size_t length, const CommandRow *command, Error *error) {
-    const char *nearest = nearest_option(word, length, command->command);
+    Near near = near_to(word, length);
+    for (int i = 0; i < option_table_size; i++) {
+        if (!(option_table[i].commands & (int)command->command)) continue;
+        near_try(&near, option_table[i].name);
+        if (option_table[i].alias) near_try(&near, option_table[i].alias);
+    }
+    if (other_option(word, length, command, error)) return false;
     return error_set(error, STATUS_USAGE, "unknown option '%.*s'%s%s%s (see magichour %s --help)",
-                     (int)length, word, nearest ? ": did you mean " : "", nearest ? nearest : "",
-                     nearest ? "?" : "", command->name);
+                     (int)length, word, near.name ? ": did you mean " : "", near.name ? near.name : "",
+                     near.name ? "?" : "", command->name);
 }
 
 static bool take_option(Options *options, const OptionRow *option, const char *value, Error *error) {
@@ -58,6 +73,7 @@ static bool take_option(Options *options, const OptionRow *option, const char *v
         *(const char **)target = value;
         return true;
     case OPTION_OPTIONAL:
+    case OPTION_SWITCH:
         *(const char **)target = value ? value : "auto";
         return true;
     case OPTION_TAKE:
@@ -66,23 +82,73 @@ static bool take_option(Options *options, const OptionRow *option, const char *v
     return false;
 }
 
+/* Whether a word that stands behind the option is the option's, although no "=" binds it. */
+static bool is_switch_word(const OptionRow *option, const char *word) {
+    if (option->kind != OPTION_SWITCH || !word) return false;
+    if (strcmp(word, "on") == 0) return true;
+    for (int i = 0; method_get(i); i++) {
+        const Method *method = method_get(i);
+        if (strcmp(method_family(method->family)->option, option->name) == 0 &&
+            strcmp(method->name, word) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* One option's word, cut into its name and the value that is bound to it: --sky=gauss, -oFILE, -o=FILE. */
+typedef struct OptionWord {
+    const char *name;
+    size_t length;
+    const char *value;
+} OptionWord;
+
+static OptionWord cut_word(const char *word, Command command) {
+    if (find_option(word, strlen(word), command)) return (OptionWord){word, strlen(word), NULL};
+    bool two_dashes = word[1] == '-';
+    const char *equals = two_dashes ? strchr(word, '=') : NULL;
+    size_t length = two_dashes ? (equals ? (size_t)(equals - word) : strlen(word)) : 2;
+    const char *value = equals ? equals + 1 : !two_dashes && word[2] ? word + 2 + (word[2] == '=') : NULL;
+    return (OptionWord){word, length, value};
+}
+
+/* The value of an option that needs one: what is bound to it, or the next word, unless that is an option. */
+static bool find_value(OptionWord *word, const OptionRow *option, int argc, char **argv, int *at,
+                       const CommandRow *command, Error *error) {
+    if (word->value) return true;
+    const char *next = *at + 1 < argc ? argv[*at + 1] : NULL;
+    OptionWord cut = next && next[0] == '-' && next[1] ? cut_word(next, command->command) : (OptionWord){0};
+    if (next && !(cut.length == strlen(next) && find_option(next, cut.length, command->command))) {
+        word->value = argv[++*at];
+        return true;
+    }
+    return error_set(error, STATUS_USAGE, "%s needs a value %s%s%s%s", option->name, option->argument,
+                     next ? ", and '" : "", next ? next : "", next ? "' is an option" : "");
+}
+
 /* Reads the option argv[*at] and moves *at past its value. */
 static bool parse_option(Options *options, int argc, char **argv, int *at, const CommandRow *command,
                          Error *error) {
-    const char *word = argv[*at];
-    const char *equals = strncmp(word, "--", 2) == 0 ? strchr(word, '=') : NULL;
-    size_t length = equals ? (size_t)(equals - word) : strlen(word);
-    const OptionRow *option = find_option(word, length, command->command);
-    if (!option) return unknown_option(word, length, command, error);
-    const char *value = equals ? equals + 1 : NULL;
-    if (option->kind == OPTION_FLAG && value)
-        return error_set(error, STATUS_USAGE, "%s takes no value", option->name);
-    if (option->kind != OPTION_FLAG && option->kind != OPTION_OPTIONAL && !value) {
-        if (*at + 1 >= argc)
-            return error_set(error, STATUS_USAGE, "%s needs a value %s", option->name, option->argument);
-        value = argv[++*at];
+    OptionWord word = cut_word(argv[*at], command->command);
+    const OptionRow *option = find_option(word.name, word.length, command->command);
+    /* A long option with one dash is more likely than a short one with a value. */
+    if (!option || (option->kind == OPTION_FLAG && word.value && word.name[1] != '-'))
+        return unknown_option(word.name, word.name[1] == '-' ? word.length : strlen(word.name), command,
+                              error);
+    switch (option->kind) {
+    case OPTION_FLAG:
+        if (word.value) return error_set(error, STATUS_USAGE, "%s takes no value", option->name);
+        break;
+    case OPTION_OPTIONAL:
+        break;
+    case OPTION_SWITCH:
+        if (!word.value && *at + 1 < argc && is_switch_word(option, argv[*at + 1])) word.value = argv[++*at];
+        if (word.value && strcmp(word.value, "on") == 0) word.value = "auto";
+        break;
+    case OPTION_STRING:
+    case OPTION_TAKE:
+        if (!find_value(&word, option, argc, argv, at, command, error)) return false;
     }
-    return take_option(options, option, value, error);
+    return take_option(options, option, word.value, error);
 }
 
 static bool parse_words(Options *options, int argc, char **argv, const CommandRow *command, Error *error) {
@@ -117,12 +183,14 @@ bool options_parse(Options *options, int argc, char **argv, Error *error) {
     *options =
         (Options){.max_relrmse_percent = INFINITY, .max_bias_percent = INFINITY, .max_levels = INFINITY};
     if (argc < 2) return error_set(error, STATUS_USAGE, "which command? (see magichour --help)");
-    options->help = strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0;
     options->version = strcmp(argv[1], "--version") == 0;
-    if (options->help || options->version) return true;
-    const CommandRow *command = find_command(argv[1]);
+    if (options->version) return true;
+    /* `--help render` is `help render`. */
+    bool help = strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0;
+    const CommandRow *command = find_command(help ? "help" : argv[1]);
     if (!command) return unknown_command(argv[1], error);
     options->command = command->command;
     if (!parse_words(options, argc, argv, command, error)) return false;
+    if (command->command == COMMAND_VERSION) options->version = !options->help;
     return command->command != COMMAND_HELP || take_help(options, error);
 }

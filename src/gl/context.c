@@ -1,5 +1,6 @@
 #include "gl/context.h"
 
+#include "base/known.h"
 #include "base/text.h"
 
 #include <stdio.h>
@@ -51,22 +52,24 @@ bool context_adopt(Context *context, GlProc (*getproc)(const char *), Error *err
 
 bool context_open(Context *context, const char *name, Error *error) {
     bool automatic = !name || strcmp(name, "auto") == 0;
-    Text known = {0}, reasons = {0};
+    Known known = known_to(automatic ? "" : name, automatic ? 0 : strlen(name));
+    Text reasons = {0};
     bool opened = false, found = false;
+    known_add(&known, "auto");
     for (int i = 0; context_backend(i) && !opened; i++) {
         const Backend *backend = context_backend(i);
-        text_print(&known, ", %s", backend->name);
+        known_add(&known, backend->name);
         if (!automatic && strcmp(name, backend->name) != 0) continue;
         found = true;
         opened = open_backend(context, backend, error);
         if (!opened) text_print(&reasons, "%s%s: %s", reasons.size ? "; " : "", backend->name, error->text);
     }
     if (!found) {
-        error_set(error, STATUS_USAGE, "unknown backend '%s' (known: auto%s)", name, text_string(&known));
+        known_fail(&known, STATUS_USAGE, error, "unknown backend '%s'", name);
     } else if (!opened) {
         error_set(error, STATUS_NO_GL, "no OpenGL context: %s", text_string(&reasons));
     }
-    text_free(&known);
+    known_free(&known);
     text_free(&reasons);
     return opened;
 }

@@ -1,5 +1,6 @@
 #include "render/aov.h"
 
+#include "base/known.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "gl/strips.h"
@@ -30,12 +31,9 @@ static unsigned find_kind(const char *name, size_t length) {
 }
 
 static bool unknown_kind(const char *name, size_t length, Error *error) {
-    Text known = {0};
-    for (int i = 0; i < KINDS; i++) text_print(&known, "%s%s", i ? ", " : "", kind_names[i].name);
-    error_set(error, STATUS_USAGE, "--aov: unknown '%.*s' (known: %s)", (int)length, name,
-              text_string(&known));
-    text_free(&known);
-    return false;
+    Known known = known_to(name, length);
+    for (int i = 0; i < KINDS; i++) known_add(&known, kind_names[i].name);
+    return known_fail(&known, STATUS_USAGE, error, "--aov: unknown '%.*s'", (int)length, name);
 }
 
 bool aov_parse(const char *list, unsigned *kinds, Error *error) {

@@ -1,5 +1,6 @@
 #include "scene/annotation.h"
 
+#include "base/known.h"
 #include "base/lines.h"
 #include "scene/annotation_hints.h"
 #include "scene/annotation_parameters.h"
@@ -29,14 +30,19 @@ typedef struct Key {
     int count;
 } Key;
 
+static bool unknown_key(const Line *line, int at, const Key *table, int entries, Error *error) {
+    Known known = known_to(line->words[at], strlen(line->words[at]));
+    for (int i = 0; i < entries; i++) known_add(&known, table[i].name);
+    return known_fail(&known, STATUS_SCENE, error, "%s: unknown key '%s'", line->words[0], line->words[at]);
+}
+
 static bool read_keys(Line *line, const Key *table, int entries, Error *error) {
     for (int at = 1; at < line->count;) {
         const Key *key = NULL;
         for (int i = 0; i < entries; i++) {
             if (strcmp(table[i].name, line->words[at]) == 0) key = &table[i];
         }
-        if (!key)
-            return error_set(error, STATUS_SCENE, "%s: unknown key '%s'", line->words[0], line->words[at]);
+        if (!key) return unknown_key(line, at, table, entries, error);
         if (!line_setting(line, at + 1, key->count, key->setting, error)) return false;
         at += 1 + key->count;
     }
@@ -146,14 +152,10 @@ static bool read_annotation(Line *line, Error *error) {
     for (int i = 0; i < ANNOTATIONS; i++) {
         if (strcmp(annotations[i].key, line->words[0]) == 0) return annotations[i].read(line, error);
     }
-    Text known = {0};
-    for (int i = 0; i < ANNOTATIONS; i++) text_print(&known, "%s, ", annotations[i].key);
-    for (int i = 0; i < HINT_KINDS; i++)
-        text_print(&known, "%s%s", i ? ", " : "", hint_info((HintKind)i)->key);
-    error_set(error, STATUS_SCENE, "unknown annotation '%s' (known: %s)", line->words[0],
-              text_string(&known));
-    text_free(&known);
-    return false;
+    Known known = known_to(line->words[0], strlen(line->words[0]));
+    for (int i = 0; i < ANNOTATIONS; i++) known_add(&known, annotations[i].key);
+    for (int i = 0; i < HINT_KINDS; i++) known_add(&known, hint_info((HintKind)i)->key);
+    return known_fail(&known, STATUS_SCENE, error, "unknown annotation '%s'", line->words[0]);
 }
 
 static bool read_line(SceneFile *file, char *text, int number, Error *error) {

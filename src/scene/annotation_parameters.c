@@ -1,6 +1,6 @@
 #include "scene/annotation_parameters.h"
 
-#include "base/text.h"
+#include "base/known.h"
 #include "scene/host_names.h"
 #include "scene/setting.h"
 
@@ -59,12 +59,21 @@ static double *value_of(const Line *line, const Parameter *parameter) {
     return line->file->values.parameters[parameter - line->file->parameters];
 }
 
+/* Only a slider has a range. */
+static bool unknown_key(const Line *line, int at, Error *error) {
+    static const char *const keys[] = {"unit", "label", "min", "max"};
+    int count = strcmp(line->words[0], "slider") == 0 ? 4 : 2;
+    Known known = known_to(line->words[at], strlen(line->words[at]));
+    for (int i = 0; i < count; i++) known_add(&known, keys[i]);
+    return known_fail(&known, STATUS_SCENE, error, "%s: unknown key '%s'", line->words[0], line->words[at]);
+}
+
 /* The trailing `unit m label "height of the ball"`. */
 static bool read_words(const Line *line, int at, Parameter *parameter, Error *error) {
     for (; at < line->count; at += 2) {
         bool unit = strcmp(line->words[at], "unit") == 0;
         if (!unit && strcmp(line->words[at], "label") != 0) {
-            return error_set(error, STATUS_SCENE, "%s: unknown key '%s'", line->words[0], line->words[at]);
+            return unknown_key(line, at, error);
         }
         if (at + 1 == line->count) return error_set(error, STATUS_SCENE, "%s needs a word", line->words[at]);
         char **target = unit ? &parameter->unit : &parameter->label;

@@ -1,5 +1,6 @@
 #include "scene/atmosphere.h"
 
+#include "base/known.h"
 #include "base/text.h"
 #include "base/vec3.h"
 #include "scene/value.h"
@@ -35,8 +36,8 @@ static const AtmospherePreset presets[] = {
 };
 
 #define ROW(member, length, least, most, text)                                                               \
-    .name = #member, .offset = offsetof(Atmosphere, member), .count = length, .min = least, .max = most,     \
-    .description = text
+    .name = #member, .setting = "atmosphere." #member, .offset = offsetof(Atmosphere, member),               \
+    .count = length, .min = least, .max = most, .description = text
 #define FIELD(...)                                                                                           \
     { ROW(__VA_ARGS__) }
 
@@ -102,18 +103,16 @@ void atmosphere_print_range(const AtmosphereField *field, Text *out) {
 }
 
 bool atmosphere_choose(Atmosphere *atmosphere, const char *preset, Error *error) {
-    Text known = {0};
+    Known known = known_to(preset, strlen(preset));
     for (int i = 0; atmosphere_preset(i); i++) {
         if (strcmp(presets[i].name, preset) == 0) {
             *atmosphere = presets[i].atmosphere;
-            text_free(&known);
+            known_free(&known);
             return true;
         }
-        text_print(&known, "%s%s", i ? ", " : "", presets[i].name);
+        known_add(&known, presets[i].name);
     }
-    error_set(error, STATUS_USAGE, "unknown atmosphere '%s' (known: %s)", preset, text_string(&known));
-    text_free(&known);
-    return false;
+    return known_fail(&known, STATUS_USAGE, error, "unknown atmosphere '%s'", preset);
 }
 
 double atmosphere_rayleigh_formula(double refractive_index, double molecules_per_m3, double wavelength_m) {
@@ -153,12 +152,12 @@ static bool parse_field(const AtmosphereField *field, const char *value, double 
 }
 
 bool atmosphere_set(Atmosphere *atmosphere, const char *name, const char *value, Error *error) {
-    Text known = {0};
+    Known known = known_to(name, strlen(name));
     for (int i = 0; atmosphere_field(i); i++) {
         const AtmosphereField *field = &fields[i];
-        text_print(&known, "%s%s", i ? ", " : "", field->name);
+        known_add(&known, field->name);
         if (strcmp(field->name, name) != 0) continue;
-        text_free(&known);
+        known_free(&known);
         double *target = (double *)(void *)((char *)atmosphere + field->offset);
         if (!parse_field(field, value, target, error)) return error_prefix(error, "atmosphere.");
         if (target == atmosphere->wavelengths_nm || target == &atmosphere->refractive_index ||
@@ -167,9 +166,10 @@ bool atmosphere_set(Atmosphere *atmosphere, const char *name, const char *value,
         }
         return true;
     }
-    error_set(error, STATUS_USAGE, "unknown setting 'atmosphere.%s' (known: %s)", name, text_string(&known));
-    text_free(&known);
-    return false;
+    for (int i = 0; known.near.name && atmosphere_field(i); i++) {
+        if (known.near.name == fields[i].name) known.near.name = fields[i].setting;
+    }
+    return known_fail(&known, STATUS_USAGE, error, "unknown setting 'atmosphere.%s'", name);
 }
 
 bool atmosphere_check(const Atmosphere *atmosphere, Error *error) {

@@ -60,9 +60,10 @@ typedef struct AtmosphereWord {
 enum { ATMOSPHERE_WORDS = 3 };
 
 typedef struct AtmosphereField {
-    const char *name; /* as in "atmosphere.NAME" */
-    size_t offset;    /* of a double or a double[3] in Atmosphere */
-    int count;        /* 1 or 3 */
+    const char *name;    /* as in "atmosphere.NAME" */
+    const char *setting; /* that in full */
+    size_t offset;       /* of a double or a double[3] in Atmosphere */
+    int count;           /* 1 or 3 */
     /* Of numbers. Where max is below min, only the words are values. */
     double min, max;
     const char *description;

@@ -1,6 +1,6 @@
 #include "scene/setting.h"
 
-#include "base/text.h"
+#include "base/known.h"
 #include "scene/value.h"
 
 #include <stddef.h>
@@ -74,14 +74,35 @@ bool setting_is_common(const char *name) {
     return find_common(name) >= 0;
 }
 
+/* The part behind the last dot. */
+static const char *last_part(const char *name) {
+    const char *dot = strrchr(name, '.');
+    return dot ? dot + 1 : name;
+}
+
+/* Tries the name in full, and then a name of the atmosphere or the sun from which the part in front of the
+ * dot may be missing. */
+static void try_setting(Near *near, Near *parts, const char **whole, const char *name) {
+    const char *before = parts->name;
+    near_try(near, name);
+    near_try(parts, last_part(name));
+    if (parts->name != before) *whole = name;
+}
+
 static bool unknown_setting(const SceneFile *file, const char *name, Error *error) {
-    Text known = {0};
-    for (int i = 0; i < file->parameter_count; i++) text_print(&known, "%s, ", file->parameters[i].name);
-    for (int i = 0; i < COMMON_SETTINGS; i++) text_print(&known, "%s, ", common_settings[i].name);
-    error_set(error, STATUS_USAGE, "%s has no setting '%s' (known: %satmosphere.NAME)", file->path, name,
-              text_string(&known));
-    text_free(&known);
-    return false;
+    const char *part = last_part(name), *whole = NULL;
+    Known known = known_to(name, strlen(name));
+    Near parts = near_to(part, strlen(part));
+    for (int i = 0; i < file->parameter_count; i++) known_add(&known, file->parameters[i].name);
+    for (int i = 0; i < COMMON_SETTINGS; i++) {
+        known_add(&known, common_settings[i].name);
+        try_setting(&known.near, &parts, &whole, common_settings[i].name);
+    }
+    for (int i = 0; atmosphere_field(i); i++)
+        try_setting(&known.near, &parts, &whole, atmosphere_field(i)->setting);
+    text_print(&known.names, ", atmosphere.NAME");
+    if (!known.near.name) known.near.name = whole;
+    return known_fail(&known, STATUS_USAGE, error, "%s has no setting '%s'", file->path, name);
 }
 
 bool setting_apply(const SceneFile *file, SceneValues *values, const char *name, const char *value,
@@ -98,21 +119,18 @@ bool setting_apply(const SceneFile *file, SceneValues *values, const char *name,
 }
 
 bool setting_choose_preset(const SceneFile *file, SceneValues *values, const char *name, Error *error) {
-    Text known = {0};
+    Known known = known_to(name, strlen(name));
     for (int i = 0; i < file->preset_count; i++) {
         const Preset *preset = &file->presets[i];
         if (strcmp(preset->name, name) == 0) {
-            text_free(&known);
+            known_free(&known);
             for (int s = 0; s < preset->setting_count; s++) {
                 if (!setting_apply(file, values, preset->settings[s].name, preset->settings[s].value, error))
                     return false;
             }
             return true;
         }
-        text_print(&known, "%s%s", i ? ", " : "", preset->name);
+        known_add(&known, preset->name);
     }
-    error_set(error, STATUS_USAGE, "%s has no preset '%s' (known: %s)", file->path, name,
-              known.size ? text_string(&known) : "none");
-    text_free(&known);
-    return false;
+    return known_fail(&known, STATUS_USAGE, error, "%s has no preset '%s'", file->path, name);
 }
