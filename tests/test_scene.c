@@ -52,7 +52,8 @@ static void test_annotations(void **state) {
     assert_false(scene_set(&scene, "height", "3.5", &error));
     assert_non_null(strstr(error.text, "height: '3.5' is not a number from -1 to 3"));
     assert_false(scene_set(&scene, "hight", "3", &error));
-    assert_non_null(strstr(error.text, "no setting 'hight': did you mean height? (known: height, lamp, tint, sun.elevation"));
+    assert_non_null(strstr(
+        error.text, "no setting 'hight': did you mean height? (known: height, lamp, tint, sun.elevation"));
     assert_false(scene_set(&scene, "atmosphere.mie", "nan", &error));
     assert_non_null(strstr(error.text, "atmosphere.mie: 'nan' is not a number from 0"));
     assert_false(scene_choose_preset(&scene, "high", &error));
