@@ -47,9 +47,8 @@ static void test_install(void **state) {
     snprintf(root, sizeof root, "%s", support_path("root"));
     make("install");
     snprintf(command, sizeof command,
-             "cd / && '%s/opt/a/bin/magichour' render '%s/opt/a/share/magichour/scenes/crater.glsl' "
-             "--size 16x16 --spp 4 --quiet -o '%s'",
-             root, root, support_path("picture.pfm"));
+             "cd / && '%s/opt/a/bin/magichour' render crater --size 16x16 --spp 4 --quiet -o '%s'", root,
+             support_path("picture.pfm"));
     int status = run(command);
     if (WEXITSTATUS(status) == STATUS_NO_GL) support_no_gl("the installed program finds none");
     if (status) expect_run(command);

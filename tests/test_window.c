@@ -257,7 +257,7 @@ static void test_sides(void **state) {
 
 static void test_window(void **state) {
     (void)state;
-    desktop_view(window, "\"$here\"/scenes/crater.glsl " SMALL);
+    desktop_view(window, "crater " SMALL);
     desktop_do(window, "search --name Crater windowsize 401 203");
     desktop_expect_number(window, "width", 401, 401);
     desktop_expect_number(window, "height", 203, 203);

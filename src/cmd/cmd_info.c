@@ -4,6 +4,7 @@
 #include "cmd/cmd.h"
 #include "cmd/setup.h"
 #include "gl/context.h"
+#include "scene/scene_list.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -139,10 +140,29 @@ static bool info_scene(const Options *options, Error *error) {
     return ok;
 }
 
+/* The scenes that are found by name. */
+static void print_scenes(const Options *options) {
+    char *library;
+    Error error;
+    if (!setup_library(options, &library, &error)) {
+        printf("scenes: none, because %s\n", error.text);
+        return;
+    }
+    char *folder = scene_list_folder(library);
+    SceneList list = scene_list_read(folder);
+    printf("scenes, each found by its name from any folder; they are in %s%s\n", folder,
+           list.count ? "" : ", where there is none");
+    for (int i = 0; i < list.count; i++) printf("  %-12s %s\n", list.entries[i].name, list.entries[i].title);
+    scene_list_free(&list);
+    free(folder);
+    free(library);
+}
+
 static bool info_program(const Options *options, Error *error) {
     Scene scene;
     if (!setup_scene(options, NULL, &scene, error)) return false;
     printf("magichour %s\n", MAGICHOUR_VERSION);
+    print_scenes(options);
     bool ok = print_backends(options, error);
     if (ok) {
         print_methods();

@@ -1,6 +1,7 @@
 #include "choice/method.h"
 #include "cmd/cmd.h"
 #include "cmd/interrupt.h"
+#include "cmd/scene_find.h"
 #include "cmd/setup.h"
 #include "view/log.h"
 #include "view/view.h"
@@ -16,6 +17,8 @@ enum { RECORDED_SAMPLES = 64 };
 typedef struct Source {
     const Options *options;
     char *library;
+    /* The scene's file. */
+    char *path;
 } Source;
 
 static bool load(const void *data, Scene *scene, Error *error) {
@@ -51,11 +54,12 @@ Status cmd_view(const Options *options, Error *error) {
     error->status = STATUS_DONE;
     interrupt_install();
     log_enable(options->progress && strcmp(options->progress, "json") == 0);
-    bool ok = setup_library(options, &source.library, error) && check_folder(options->record, error);
+    bool ok = setup_library(options, &source.library, error) && check_folder(options->record, error) &&
+              scene_find(options->inputs[0], source.library, &source.path, error);
     if (ok) {
         ViewParams params = {.load = load,
                              .data = &source,
-                             .path = options->inputs[0],
+                             .path = source.path,
                              .library = source.library,
                              .glsl_dir = options->glsl_dir,
                              .methods = method_names(options),
@@ -71,5 +75,6 @@ Status cmd_view(const Options *options, Error *error) {
         ok = view_run(&params, error);
     }
     free(source.library);
+    free(source.path);
     return ok ? STATUS_DONE : error->status;
 }

@@ -1,6 +1,7 @@
 #include "cmd/setup.h"
 
 #include "base/text.h"
+#include "cmd/scene_find.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,9 +57,19 @@ static bool apply_settings(const Options *options, Scene *scene, Error *error) {
     return true;
 }
 
+static bool read_scene(const char *word, const char *library, Scene *scene, Error *error) {
+    char *path;
+    if (!scene_find(word, library, &path, error)) return false;
+    bool ok = scene_read(scene, path, library, error);
+    free(path);
+    return ok;
+}
+
 bool setup_scene(const Options *options, const char *library, Scene *scene, Error *error) {
-    if (!options->input_count) *scene = scene_default("the sky", "");
-    if (options->input_count && !scene_read(scene, options->inputs[0], library, error)) return false;
+    if (!options->input_count)
+        *scene = scene_default("the sky", "");
+    else if (!read_scene(options->inputs[0], library, scene, error))
+        return false;
     if (options->preset && !scene_choose_preset(scene, options->preset, error)) goto fail;
     if (options->atmosphere && !atmosphere_choose(&scene->values.atmosphere, options->atmosphere, error))
         goto fail;

@@ -9,7 +9,7 @@
  * from the program's own folder. The caller frees it. */
 MUST_CHECK bool setup_library(const Options *options, char **library, Error *error);
 
-/* Reads the scene with the GLSL library in the folder `library`, or makes an empty one for the sky if there
- * is no file; then `library` may be NULL. Then it applies --preset, --atmosphere, --sun and --set, in this
- * order. */
+/* Finds the scene (cmd/scene_find.h) and reads it with the GLSL library in the folder `library`, or makes an
+ * empty one for the sky if there is no file; then `library` may be NULL. Then it applies --preset,
+ * --atmosphere, --sun and --set, in this order. */
 MUST_CHECK bool setup_scene(const Options *options, const char *library, Scene *scene, Error *error);
