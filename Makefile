@@ -118,18 +118,13 @@ man: $(BUILD)/magichour.1
 $(BUILD)/magichour.1: $(BUILD)/magichour
 	$< help --man > $@
 
-# The README's pictures, scenes/gallery, stay behind.
-SHARE := $(DESTDIR)$(PREFIX)/share
+# Where the program goes: PREFIX, in front of it DESTDIR if that is given.
+export PREFIX DESTDIR
 install: all man
-	install -d $(DESTDIR)$(PREFIX)/bin $(SHARE)/magichour/scenes $(SHARE)/doc/magichour $(SHARE)/man/man1
-	install $(BUILD)/magichour $(DESTDIR)$(PREFIX)/bin
-	install -m 644 $(BUILD)/magichour.1 $(SHARE)/man/man1
-	cp -r glsl $(SHARE)/magichour
-	cp scenes/*.* $(SHARE)/magichour/scenes
-	install -m 644 LICENSE README.md CHANGES.md $(SHARE)/doc/magichour
+	@tools/install.sh install $(BUILD)
 
 uninstall:
-	rm -rf $(DESTDIR)$(PREFIX)/bin/magichour $(SHARE)/magichour $(SHARE)/doc/magichour $(SHARE)/man/man1/magichour.1
+	@tools/install.sh uninstall
 
 clean:
 	rm -rf build
