@@ -17,6 +17,10 @@ ANSWER := $(shell pkg-config --cflags --libs $(PKGS) 2>/dev/null)
 PKG_LIBS := $(filter -L% -l% -Wl%,$(ANSWER))
 PKG_CFLAGS := $(filter-out $(PKG_LIBS),$(ANSWER))
 
+# The packages of tools/deps.sh that this build needs, and those that its tests need besides.
+NEEDS := build $(if $(filter 0,$(WINDOW)),,window) $(if $(filter 0,$(CHART)),,chart)
+TEST_NEEDS := test $(if $(filter 0,$(WINDOW)),,window-test)
+
 ifeq ($(MODE),asan)
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=all
 KEEP := $(BUILD)/tests/asan/keep_libraries.o
@@ -60,7 +64,7 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 
 $(TESTS:=.o): | cmocka
 cmocka:
-	@pkg-config --exists cmocka || tools/deps.sh --missing test
+	@pkg-config --exists cmocka || tools/deps.sh --missing $(TEST_NEEDS)
 
 # The window's overlay and the reader of lossy EXR files are the host's parts in C++.
 $(BUILD)/src/%.o: src/%.cpp $(BUILD)/flags
@@ -71,18 +75,18 @@ $(BUILD)/src/%.o: src/%.cpp $(BUILD)/flags
 # Changed flags rebuild everything. What is missing is said here, before the first file is compiled.
 FLAGS := $(CC) $(CPPFLAGS) $(ALL_CFLAGS) $(LDFLAGS) $(CXX) $(ALL_CXXFLAGS)
 $(BUILD)/flags: FORCE
-	@$(if $(ANSWER),,tools/deps.sh --missing build && pkg-config --exists --print-errors $(PKGS))
+	@$(if $(ANSWER),,tools/deps.sh --missing $(NEEDS) && pkg-config --exists --print-errors $(PKGS))
 	@mkdir -p $(@D)
 	@echo '$(FLAGS)' | cmp -s - $@ || echo '$(FLAGS)' > $@
 
 # These two install what is missing, and so does `make deps`. All other targets only say what it is.
 demo:
-	tools/deps.sh build
+	tools/deps.sh $(NEEDS)
 	$(MAKE) all
 	tools/demo.sh $(BUILD)/magichour out
 
 test:
-	tools/deps.sh build test
+	tools/deps.sh $(NEEDS) $(TEST_NEEDS)
 	$(MAKE) check-all
 
 # The fast tests, the slow ones (statistics of pictures, and the window), and all of them.
@@ -97,14 +101,14 @@ tests-table: $(BUILD)/magichour $(BUILD)/tests/test_scenes $(BUILD)/tests/test_n
 	tests/table.sh $(BUILD)
 
 lint:
-	@tools/deps.sh --missing build lint
+	@tools/deps.sh --missing $(NEEDS) lint
 	tools/lint.sh
 
 format:
 	clang-format -i $$(git ls-files '*.c' '*.h' '*.hpp' 'src/*.cpp')
 
 deps:
-	tools/deps.sh build test lint figures
+	tools/deps.sh $(NEEDS) $(TEST_NEEDS) lint figures
 
 # What `make -n` would compile, for editors and clang's tools.
 compile_commands.json:

@@ -1,10 +1,11 @@
 #!/bin/sh
-# The README's two commands on a bare system: tools/bare.sh bookworm|trixie [FOLDER [TARGETS]]
+# The README's two commands on a bare system: tools/bare.sh bookworm|trixie [FOLDER [TARGETS [VARIABLE=VALUE...]]]
 #
 # debootstrap makes a minimal Debian with make and git in it. A clean clone of HEAD goes there, and `make demo` and `make test`
-# (or TARGETS, such as "demo") run in a chroot, as root. The times are printed, and the line that the tests close with.
-# FOLDER must not be there yet; the system and the logs stay in it. Without FOLDER, a temporary folder is removed at the end,
-# unless a command failed. Needs root, debootstrap, some 2 GB of disk, and a mirror of Debian: this system's own, or $MIRROR.
+# (or TARGETS, such as "demo") run in a chroot, as root; `make` gets the VARIABLEs, such as WINDOW=0. The times are printed, and
+# the line that the tests close with. FOLDER must not be there yet; the system and the logs stay in it. Without FOLDER, a
+# temporary folder is removed at the end, unless a command failed. Needs root, debootstrap, some 2 GB of disk, and a mirror of
+# Debian: this system's own, or $MIRROR.
 set -eu
 
 suite=${1-}
@@ -19,6 +20,7 @@ fi
 
 folder=${2-}
 targets=${3:-demo test}
+shift $(($# < 3 ? $# : 3))
 keep=yes
 if [ -z "$folder" ]; then
     folder=$(mktemp -d "${TMPDIR:-/var/tmp}/bare-$suite-XXXXXX")
@@ -69,7 +71,7 @@ for target in $targets; do
     status=0
     chroot "$system" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 \
         ${http_proxy+http_proxy="$http_proxy"} ${https_proxy+https_proxy="$https_proxy"} \
-        make --no-print-directory -C /root/magichour "$target" >"$folder/$target.log" 2>&1 </dev/null || status=$?
+        make --no-print-directory -C /root/magichour "$target" "$@" >"$folder/$target.log" 2>&1 </dev/null || status=$?
     took="after $(($(seconds) - start)) s"
     if [ $status != 0 ]; then
         failed=1 keep=yes

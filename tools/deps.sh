@@ -1,46 +1,46 @@
 #!/bin/sh
-# Installs what is missing, by the system's packages: tools/deps.sh [--missing] [build] [test] [lint] [ci] [figures]
+# Installs what is missing, by the system's packages: tools/deps.sh [--missing] [GROUP...]; the groups are listed below.
 # Says what it installs; needs nothing and does nothing when all is there. With --missing it installs nothing: it says what
 # is missing and how to install it, and fails. The names are those of Debian 12, Debian 13 and Ubuntu 24.04.
 set -eu
 
-# build: the compilers, the window and picture libraries, and an OpenGL that runs on any machine (Mesa's llvmpipe).
-build="gcc g++ make pkg-config libc6-dev libgl-dev libegl-dev libglfw3-dev libimgui-dev libopenexr-dev libpng-dev libcairo2-dev libegl1 libgl1-mesa-dri"
-# test: the test framework, a display for the windows and hands for them, and GLM for the oracle.
-test="libcmocka-dev xvfb xauth xdotool libglm-dev"
-# lint: what `make lint` asks; ci: what .ci/run asks besides.
-lint="clang-format glslang-tools git shellcheck cppcheck"
-ci="clang"
-# figures: what draws the READMEs' charts and contact sheets.
-figures="gnuplot-nox fonts-dejavu-core"
+groups="build window chart test window-test lint ci figures"
+packages_of() {
+    case $1 in
+    # The compilers, the libraries of picture formats, and an OpenGL that runs on any machine (Mesa's llvmpipe).
+    build) echo gcc g++ make pkg-config libc6-dev libgl-dev libegl-dev libopenexr-dev libpng-dev libegl1 libgl1-mesa-dri ;;
+    # The window of `view`, which WINDOW=0 leaves out, and the charts, which CHART=0 leaves out.
+    window) echo libglfw3-dev libimgui-dev ;;
+    chart) echo libcairo2-dev ;;
+    # The test framework, and GLM for the oracle; a display for the windows, and hands for them.
+    test) echo libcmocka-dev libglm-dev ;;
+    window-test) echo xvfb xauth xdotool ;;
+    # What `make lint` asks, and what .ci/run asks besides.
+    lint) echo clang-format glslang-tools git shellcheck cppcheck ;;
+    ci) echo clang ;;
+    # What draws the READMEs' charts and contact sheets.
+    figures) echo gnuplot-nox fonts-dejavu-core ;;
+    *) echo "deps: unknown group '$1' (known: $groups)" >&2 && return 2 ;;
+    esac
+}
 # Used where the system still has it; without it the other backends do the work.
 optional="libosmesa6"
 
 only_say=""
 if [ "${1-}" = --missing ]; then only_say=yes && shift; fi
 
+needed=""
+for group in "${@:-build}"; do needed="$needed $(packages_of "$group")"; done
+
 if ! command -v dpkg-query >/dev/null 2>&1; then
-    echo "deps: this is not Debian or Ubuntu; what is needed has other names here than: $build $test" >&2
+    echo "deps: this is not Debian or Ubuntu; what is needed has other names here than:$needed" >&2
     exit 0
 fi
 
 present() { dpkg-query -W -f '${db:Status-Abbrev}' "$1" 2>/dev/null | grep -q '^ii'; }
 
 missing=""
-for group in "${@:-build}"; do
-    case $group in
-    build) packages="$build" ;;
-    test) packages="$test" ;;
-    lint) packages="$lint" ;;
-    ci) packages="$ci" ;;
-    figures) packages="$figures" ;;
-    *)
-        echo "deps: unknown group '$group' (known: build, test, lint, ci, figures)" >&2
-        exit 2
-        ;;
-    esac
-    for package in $packages; do present "$package" || missing="$missing $package"; done
-done
+for package in $needed; do present "$package" || missing="$missing $package"; done
 
 if [ -n "$only_say" ]; then
     [ -n "$missing" ] || exit 0
@@ -69,6 +69,7 @@ available() { apt-cache policy "$1" 2>/dev/null | grep -q 'Candidate: [0-9]'; }
 unavailable() { for package in "$@"; do available "$package" || return 0; done; return 1; }
 
 if [ -n "$missing" ]; then
+    echo "deps: this system lacks$missing; apt-get installs them now${root:+, by $root}"
     # A fresh machine has no package lists, or old ones.
     # shellcheck disable=SC2086
     if unavailable $missing || ! $root apt-get install -s --no-install-recommends $missing >/dev/null 2>&1; then
@@ -77,6 +78,9 @@ if [ -n "$missing" ]; then
 fi
 for package in $wanted; do available "$package" && missing="$missing $package"; done
 [ -n "$missing" ] || exit 0
+# shellcheck disable=SC2086
+size=$($root apt-get install --assume-no --no-install-recommends $missing 2>/dev/null | grep -E '^(Need to get|After this)' || true)
 echo "deps: installing$missing"
+[ -z "$size" ] || echo "$size"
 # shellcheck disable=SC2086
 $root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
