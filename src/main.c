@@ -1,10 +1,13 @@
 #include "base/version.h"
 #include "cmd/cmd.h"
 #include "cmd/help.h"
+#include "cmd/options_check.h"
 #include "cmd/options_parse.h"
 #include "cmd/terminal.h"
 
+#include <errno.h>
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 /* The program's own words about itself. */
@@ -47,6 +50,18 @@ static Status run(const Options *options, int argc, char **argv, Error *error) {
     return STATUS_USAGE;
 }
 
+/* Whether what was printed is lost. Then errno is the reason, or 0. */
+static bool output_failed(void) {
+    errno = 0;
+    if (fflush(stdout) != 0) return true;
+    if (!ferror(stdout)) return false;
+    /* A write before this one failed, and its reason is gone. Another one fails for the same reason. */
+    clearerr(stdout);
+    fputc('\n', stdout);
+    fflush(stdout);
+    return true;
+}
+
 int main(int argc, char **argv) {
     Options options;
     Error error = {0};
@@ -56,11 +71,13 @@ int main(int argc, char **argv) {
     } else if (options.help || options.version) {
         status = answer(&options);
     } else {
+        options_warn(&options);
         status = run(&options, argc, argv, &error);
     }
     if (error.text[0] && status != STATUS_DONE) fprintf(stderr, "magichour: %s\n", error.text);
-    if ((fflush(stdout) != 0 || ferror(stdout)) && status == STATUS_DONE) {
-        fputs("magichour: standard output: cannot be written\n", stderr);
+    if (output_failed() && status == STATUS_DONE) {
+        fprintf(stderr, "magichour: standard output: cannot be written%s%s\n", errno ? ": " : "",
+                errno ? strerror(errno) : "");
         status = STATUS_OUTPUT;
     }
     return (int)status;

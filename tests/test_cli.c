@@ -36,7 +36,8 @@ static void test_usage(void **state) {
                    "render scenes/crater.glsl --sequence frob -o '%s'", out);
     support_expect(2, "is not paper:NxM", "render scenes/crater.glsl --sky paper:0x4 -o '%s'", out);
     support_expect(2, "is not paper:NxM", "render scenes/crater.glsl --sky paper:4 -o '%s'", out);
-    support_expect(2, "is not a number from 0", "render scenes/crater.glsl --sky uniform:-1 -o '%s'", out);
+    support_expect(2, "--sky uniform: -1 is outside the range from 0",
+                   "render scenes/crater.glsl --sky uniform:-1 -o '%s'", out);
     support_expect(2, "is not gauss:n with n from 4 to 12", "render scenes/crater.glsl --sky gauss:3 -o '%s'",
                    out);
     support_expect(2, "a table is filled by gauss or paper",

@@ -58,7 +58,7 @@ static void test_furnace(void **state) {
     expect_row("hits beyond the second", "off here");
     expect_row("control variate", "        -        -        -   off here");
     support_expect(3, "none.glsl: cannot be read", "explain none.glsl");
-    support_expect(2, "--error: '0' is not a number from", "explain scenes/crater.glsl --error 0");
+    support_expect(2, "--error: 0 is outside the range from", "explain scenes/crater.glsl --error 0");
 }
 
 static const Term *find_term(const Term *terms, int count, const char *name) {

@@ -50,12 +50,12 @@ static void test_annotations(void **state) {
     assert_true(scene_set(&scene, "lamp", "on", &error) && scene.values.parameters[1][0] == 1);
     assert_false(scene_set(&scene, "lamp", "2", &error));
     assert_false(scene_set(&scene, "height", "3.5", &error));
-    assert_non_null(strstr(error.text, "height: '3.5' is not a number from -1 to 3"));
+    assert_non_null(strstr(error.text, "height: 3.5 is outside the range from -1 to 3"));
     assert_false(scene_set(&scene, "hight", "3", &error));
     assert_non_null(strstr(
         error.text, "no setting 'hight': did you mean height? (known: height, lamp, tint, sun.elevation"));
     assert_false(scene_set(&scene, "atmosphere.mie", "nan", &error));
-    assert_non_null(strstr(error.text, "atmosphere.mie: 'nan' is not a number from 0"));
+    assert_non_null(strstr(error.text, "atmosphere.mie: 'nan' is not a number, and one from 0"));
     assert_false(scene_choose_preset(&scene, "high", &error));
     assert_non_null(strstr(error.text, "no preset 'high' (known: low)"));
     assert_true(scene_check(&scene, &error));
@@ -74,9 +74,9 @@ static void test_annotations_refused(void **state) {
         {"//@ camera eye 0 0", "eye needs 3 numbers"},
         {"//@ camera eye 0 0 x", "eye: 'x' is not a number"},
         {"//@ camera eye 0 nan 0", "eye: 'nan' is not a number"},
-        {"//@ camera fov 180", "fov: '180' is not a number from 0.01 to 179"},
+        {"//@ camera fov 180", "fov: 180 is outside the range from 0.01 to 179"},
         {"//@ camera zoom 3", "camera: unknown key 'zoom'"},
-        {"//@ sun elevation 95", "'95' is not a number from -90 to 90"},
+        {"//@ sun elevation 95", "95 is outside the range from -90 to 90"},
         {"//@ size 0 0", "picture size 0x0"},
         {"//@ size 100000 100000", "each side must be from 1 to 16384"},
         {"//@ size 10.5 3", "two whole numbers"},
@@ -84,7 +84,7 @@ static void test_annotations_refused(void **state) {
         {"//@ title \"open", "quotation mark is not closed"},
         {"//@ atmosphere mars", "unknown atmosphere 'mars' (known: simmons2017"},
         {"//@ preset a sun.elevation", "pairs of setting and value"},
-        {"//@ preset a sun.elevation 95", "'95' is not a number from -90 to 90"},
+        {"//@ preset a sun.elevation 95", "95 is outside the range from -90 to 90"},
         {"//@ preset a frob 1", "no setting 'frob'"},
         {"//@ bound 1 2 3", "bound needs x y z radius"},
         {"//@ mirror-sphere 1 2", "mirror-sphere needs x y z radius"},
@@ -93,16 +93,16 @@ static void test_annotations_refused(void **state) {
         {"//@ mirror-sphere 0 0 0 frob", "mirror-sphere: 'frob' is neither a number above 0"},
         {"//@ spheres", "spheres needs a number, a slider's name or a .csv file"},
         {"//@ spheres 1 2", "spheres needs a number, a slider's name or a .csv file"},
-        {"//@ spheres 1.5", "spheres: '1.5' is not a whole number from 0 to 1000000"},
-        {"//@ spheres 1000001", "spheres: '1000001' is not a whole number from 0 to 1000000"},
-        {"//@ spheres -1", "spheres: '-1' is not a whole number"},
+        {"//@ spheres 1.5", "spheres: '1.5' is not a whole number"},
+        {"//@ spheres 1000001", "spheres: 1000001 is outside the range from 0 to 1000000"},
+        {"//@ spheres -1", "spheres: -1 is outside the range"},
         {"//@ spheres frob", "spheres: 'frob' is neither a number, a slider's name nor a .csv file"},
         {"//@ spheres .csv", "spheres: '.csv' is neither a number"},
         {"//@ emitter-sphere 1 2 3", "emitter-sphere needs x y z radius"},
         {"//@ emitter-sphere 0 frob 0 1", "emitter-sphere: 'frob' is neither a number nor a slider's name"},
         {"//@ emitter-sphere 0 0 0 -1", "emitter-sphere: '-1' is neither a number above 0"},
         {"//@ sun-disk maybe", "sun-disk needs on or off"},
-        {"//@ sun radius 40", "is not a number from 0.01 to 30"},
+        {"//@ sun radius 40", "radius: 40 is outside the range from 0.01 to 30"},
         {"//@ preset a_name_of_more_than_sixty_three_characters_which_is_too_long_to_be_kept",
          "more than 63 characters"},
         {"//@ bound 1 2 frob 1", "bound: 'frob' is neither a number nor a slider's name"},
@@ -110,11 +110,11 @@ static void test_annotations_refused(void **state) {
         {"//@ slider 1", "slider stands behind `uniform float NAME;`"},
         {"uniform vec3 a; //@ slider 1", "'a' is a vec3"},
         {"uniform float a; //@ slider", "slider needs 1 number"},
-        {"uniform float a; //@ slider 2", "2 is not from 0 to 1"},
+        {"uniform float a; //@ slider 2", "2 is outside the range from 0 to 1"},
         {"uniform float a; //@ slider 1 mix 3", "unknown key 'mix'"},
         {"uniform bool a; //@ checkbox maybe", "checkbox needs on or off"},
         {"uniform vec3 a; //@ color 0 0", "color needs 3 numbers"},
-        {"uniform vec3 a; //@ color 0 0 2", "color: '2' is not a number from 0 to 1"},
+        {"uniform vec3 a; //@ color 0 0 2", "color: 2 is outside the range from 0 to 1"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Scene scene;
@@ -166,7 +166,7 @@ static void test_atmosphere(void **state) {
     assert_true(a.rayleigh_scatter_per_m[2] == 3e-6);
     assert_false(atmosphere_set(&a, "rayleigh_scatter_per_m", "1e-6,2e-6", &error));
     assert_false(atmosphere_set(&a, "mie_g", "1", &error));
-    assert_non_null(strstr(error.text, "atmosphere.mie_g: '1' is not a number from -0.999 to 0.999"));
+    assert_non_null(strstr(error.text, "atmosphere.mie_g: 1 is outside the range from -0.999 to 0.999"));
     assert_true(atmosphere_set(&a, "top_radius_m", "6360000", &error));
     assert_false(atmosphere_check(&a, &error));
     assert_non_null(strstr(error.text, "must be above"));

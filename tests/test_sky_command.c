@@ -51,8 +51,9 @@ static void test_bad_rows(void **state) {
         const char *text, *part;
     } cases[] = {
         {"1,2,3\n", "rows.csv:1: a row needs height_m,sun_el_deg,view_el_deg,az_deg"},
-        {"# x\n1,2,3,4\n1,2,x,4\n", "rows.csv:3: view_el_deg: 'x' is not a number from -90 to 90"},
-        {"height_m\n-1,2,3,4\n", "rows.csv:2: height_m: '-1' is not a number from 0"},
+        {"# x\n1,2,3,4\n1,2,x,4\n",
+         "rows.csv:3: view_el_deg: 'x' is not a number, and one from -90 to 90 is needed"},
+        {"height_m\n-1,2,3,4\n", "rows.csv:2: height_m: -1 is outside the range from 0"},
         {"1,nan,3,4\n", "rows.csv:1: sun_el_deg: 'nan'"},
         {"1,2,3,4\nheight_m,a,b,c\n", "rows.csv:2: height_m: 'height_m'"},
         {"1,,3,4\n", "rows.csv:1: sun_el_deg: ''"},
@@ -63,7 +64,7 @@ static void test_bad_rows(void **state) {
     support_expect(2, "none.csv: cannot be read", "sky --at none.csv");
     support_expect(2, "where to?", "sky");
     support_expect(2, "for --at alone", "sky --sky reference -o '%s'", support_path("map.exr"));
-    support_expect(2, "unknown option '--spp'", "sky --spp 3");
+    support_expect(2, "sky has no option '--spp'", "sky --spp 3");
 }
 
 /* Row 0 is +y, the centre column +z, a quarter from the left +x: the sun stands where its azimuth says. */

@@ -493,7 +493,7 @@ static void test_command(void **state) {
     assert_non_null(strstr(support_out, columns));
     support_expect(2, "magichour: --spectrum: atmosphere.spectrum is rgb: list the wavelengths",
                    "sky --at '%s' --spectrum", csv);
-    support_expect(2, "magichour: --spectrum: '355' is not a number from 360 to 830",
+    support_expect(2, "magichour: --spectrum: 355 is outside the range from 360 to 830",
                    "sky --at '%s' --spectrum=355,400", csv);
     support_expect(2, "magichour: --spectrum: '' is not", "sky --at '%s' --spectrum=400,,500", csv);
     support_expect(2, "magichour: --spectrum: a range is", "sky --at '%s' --spectrum=500:400:10", csv);

@@ -155,11 +155,12 @@ static void test_file(void **state) {
         const char *text, *part;
     } bad[] = {
         {"x,y,z,radius\n1,2,3\n", "bad.csv:2: a row needs x,y,z,radius"},
-        {"1,2,3,4\n\n#\n1,2,nan,4\n", "bad.csv:4: z: 'nan' is not a number from -1e+07 to 1e+07"},
+        {"1,2,3,4\n\n#\n1,2,nan,4\n",
+         "bad.csv:4: z: 'nan' is not a number, and one from -1e+07 to 1e+07 is needed"},
         {"1,2,3,0\n", "bad.csv:1: radius: '0' is not above 0"},
         {"1,2,3,-1\n", "bad.csv:1: radius: '-1' is not above 0"},
         {"1,2,3,1e-60\n", "bad.csv:1: radius: '1e-60' is not above 0"},
-        {"1,2,1e8,1\n", "bad.csv:1: z: '1e8' is not a number from"},
+        {"1,2,1e8,1\n", "bad.csv:1: z: 1e8 is outside the range from -1e+07 to 1e+07"},
         {"1,,3,4\n", "bad.csv:1: y: '' is not a number"},
         {"1,2,3,4\nx,y,z,radius\n", "bad.csv:2: x: 'x' is not a number"},
         {"1 2 3 4\n", "bad.csv:1: x: '1 2 3 4' is not a number"},
@@ -356,8 +357,9 @@ static void test_refused(void **state) {
     REFUSED(scene("a.glsl", "//@ spheres none.csv", together, ""), "none.csv: cannot be read: ");
     support_write("bad.csv", "1,2,3,4\n1,2,3,-4\n");
     REFUSED(scene("a.glsl", "//@ spheres bad.csv", together, ""), "bad.csv:2: radius: '-4' is not above 0");
-    support_expect(2, "many: '100001' is not a number from 0 to 100000", "render %s -o %s --set many=100001",
-                   scene("a.glsl", "//@ spheres many", together, made), support_path("no.png"));
+    support_expect(2, "many: 100001 is outside the range from 0 to 100000",
+                   "render %s -o %s --set many=100001", scene("a.glsl", "//@ spheres many", together, made),
+                   support_path("no.png"));
 }
 
 /* The same table again from other values of the sliders; too large a one for the OpenGL. */

@@ -83,6 +83,10 @@ static void test_refused(void **state) {
     expect_said("standard output: cannot be written: Bad file descriptor");
     expect(5, "$M " TINY " -o - --format png >/dev/full 2>$D/said");
     expect_said("standard output: cannot be written: No space left");
+    expect(5, "$M help >/dev/full 2>$D/said");
+    expect_said("standard output: cannot be written: No space left");
+    expect(5, "$M flatten scenes/crater.glsl >/dev/full 2>$D/said");
+    expect_said("standard output: cannot be written: No space left");
     expect(5, "$M " TINY " -o /dev/fd/9 --format png 2>$D/said");
     expect_said("/dev/fd/9: cannot be written: Bad file descriptor");
     expect(5, "$M " TINY " -o /dev/fd/9 --format png 9</dev/null 2>$D/said");

@@ -29,9 +29,12 @@ bool count_parse(const char *text, unsigned long long *value) {
 bool number_parse_range(const char *name, const char *text, double min, double max, double *value,
                         Error *error) {
     double parsed;
-    if (!number_parse(text, &parsed) || parsed < min || parsed > max) {
-        return error_set(error, STATUS_USAGE, "%s: '%s' is not a number from %g to %g", name, text, min, max);
-    }
+    if (!number_parse(text, &parsed))
+        return error_set(error, STATUS_USAGE, "%s: '%s' is not a number, and one from %g to %g is needed",
+                         name, text, min, max);
+    if (parsed < min || parsed > max)
+        return error_set(error, STATUS_USAGE, "%s: %s is outside the range from %g to %g", name, text, min,
+                         max);
     *value = parsed;
     return true;
 }

@@ -59,11 +59,13 @@ static bool choose_charts(const char *list, bool wanted[CHARTS], Error *error) {
 
 static bool make_folder(const char *folder, Error *error) {
     struct stat status;
-    if (mkdir(folder, 0777) != 0 && errno != EEXIST)
-        return error_set(error, STATUS_OUTPUT, "%s: cannot be made: %s", folder, strerror(errno));
-    if (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode))
-        return error_set(error, STATUS_OUTPUT, "%s: is no folder", folder);
-    return true;
+    if (strcmp(folder, "-") == 0)
+        return error_set(error, STATUS_USAGE, "-o -: charts are several files, so -o names a folder");
+    if (mkdir(folder, 0777) == 0) return true;
+    int failed = errno;
+    if (failed == EEXIST && stat(folder, &status) == 0 && S_ISDIR(status.st_mode)) return true;
+    return error_set(error, STATUS_OUTPUT, "-o %s: no folder can be made there: %s", folder,
+                     strerror(failed));
 }
 
 static bool prepare(Job *job, Error *error) {

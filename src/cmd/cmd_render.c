@@ -63,10 +63,6 @@ static bool prepare(RenderJob *job, Error *error) {
                            .error_percent = target_percent(options->error, tone_of(options)),
                            .variance = job->aov_kinds & AOV_VARIANCE,
                            .in_steps = true};
-    if (options->error.amount > 0 && options->samples) {
-        return error_set(error, STATUS_USAGE,
-                         "--error takes as many samples as it needs, --spp takes so many: one of them");
-    }
     return context_open(&job->context, options->backend, error) &&
            renderer_create(&job->renderer, &job->context, &params, error) &&
            prepare_tables(job, &params, error) &&

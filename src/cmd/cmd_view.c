@@ -45,8 +45,10 @@ static MethodNames method_names(const Options *options) {
 static bool check_folder(const char *folder, Error *error) {
     struct stat status;
     if (!folder || mkdir(folder, 0777) == 0) return true;
-    if (errno == EEXIST && stat(folder, &status) == 0 && S_ISDIR(status.st_mode)) return true;
-    return error_set(error, STATUS_OUTPUT, "--record %s: no folder can be made there", folder);
+    int failed = errno;
+    if (failed == EEXIST && stat(folder, &status) == 0 && S_ISDIR(status.st_mode)) return true;
+    return error_set(error, STATUS_OUTPUT, "--record %s: no folder can be made there: %s", folder,
+                     strerror(failed));
 }
 
 Status cmd_view(const Options *options, Error *error) {

@@ -55,20 +55,35 @@ bool take_size(Options *options, const char *name, const char *value, Error *err
 bool take_sun(Options *options, const char *name, const char *value, Error *error) {
     char elevation[64];
     const char *comma = strchr(value, ',');
-    snprintf(elevation, sizeof elevation, "%.*s", comma ? (int)(comma - value) : (int)strlen(value), value);
+    size_t length = comma ? (size_t)(comma - value) : strlen(value);
+    if (length >= sizeof elevation || (comma && strchr(comma + 1, ',')))
+        return error_set(error, STATUS_USAGE, "%s: '%s' is not EL or EL,AZ, in degrees", name, value);
+    snprintf(elevation, sizeof elevation, "%.*s", (int)length, value);
     if (!number_parse_range(name, elevation, -90, 90, &options->sun_elevation_deg, error)) return false;
     options->has_sun = true;
     options->has_azimuth = comma != NULL;
     return !comma || number_parse_range(name, comma + 1, -360, 360, &options->sun_azimuth_deg, error);
 }
 
+static bool outside_count(const char *name, const char *value, unsigned long long min, unsigned long long max,
+                          Error *error) {
+    return error_set(error, STATUS_USAGE, "%s: %s is outside the range from %llu to %llu", name, value, min,
+                     max);
+}
+
 static bool take_count(const char *name, const char *value, unsigned long long min, unsigned long long max,
                        unsigned long long *count, Error *error) {
     unsigned long long parsed;
-    if (!count_parse(value, &parsed) || parsed < min || parsed > max) {
-        return error_set(error, STATUS_USAGE, "%s: '%s' is not a whole number from %llu to %llu", name, value,
-                         min, max);
+    double number;
+    if (!count_parse(value, &parsed)) {
+        /* Digits alone are more than any count, and a minus in front of them less. */
+        bool whole = number_parse(value, &number) && !value[strspn(value, "-+0123456789")];
+        return whole ? outside_count(name, value, min, max, error)
+                     : error_set(error, STATUS_USAGE,
+                                 "%s: '%s' is not a whole number, and one from %llu to %llu is needed", name,
+                                 value, min, max);
     }
+    if (parsed < min || parsed > max) return outside_count(name, value, min, max, error);
     *count = parsed;
     return true;
 }
@@ -104,7 +119,12 @@ bool take_error(Options *options, const char *name, const char *value, Error *er
     size_t length = strcspn(value, "l");
     bool levels = strcmp(value + length, "levels") == 0;
     options->error.measure = levels ? NOISE_LEVELS : NOISE_RADIANCE;
+    if (!levels && value[strspn(value, "+-.0123456789eE")])
+        return error_set(error, STATUS_USAGE,
+                         "%s: '%s' is neither percent, such as 1, nor levels, such as 2levels", name, value);
     if (!levels) return number_parse_range(name, value, 1e-3, 1e3, &options->error.amount, error);
+    if (length >= sizeof amount)
+        return error_set(error, STATUS_USAGE, "%s: '%s' has too many digits", name, value);
     snprintf(amount, sizeof amount, "%.*s", (int)length, value);
     return number_parse_range(name, amount, 1e-2, 100, &options->error.amount, error);
 }

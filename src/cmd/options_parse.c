@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "choice/method.h"
 #include "cmd/option_table.h"
+#include "cmd/options_check.h"
 
 #include <math.h>
 #include <string.h>
@@ -192,5 +193,6 @@ bool options_parse(Options *options, int argc, char **argv, Error *error) {
     options->command = command->command;
     if (!parse_words(options, argc, argv, command, error)) return false;
     if (command->command == COMMAND_VERSION) options->version = !options->help;
-    return command->command != COMMAND_HELP || take_help(options, error);
+    if (command->command == COMMAND_HELP) return take_help(options, error);
+    return options->help || options->version || options_check(options, error);
 }

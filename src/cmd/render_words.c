@@ -112,6 +112,10 @@ static void warn_promise(const RenderJob *job) {
 }
 
 void render_warn(const RenderJob *job) {
+    if (job->options->further && !(job->scene.values.atmosphere.orders > 1))
+        fprintf(stderr,
+                "magichour: warning: --further has no effect: the air has the first order alone (--orders "
+                "says how many it has)\n");
     warn_promise(job);
     if (job->variance_unknown) {
         fprintf(stderr,

@@ -7,6 +7,7 @@
 #include "scene/glsl_blocks.h"
 #include "scene/setting.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,6 +37,13 @@ static bool unknown_key(const Line *line, int at, const Key *table, int entries,
     return known_fail(&known, STATUS_SCENE, error, "%s: unknown key '%s'", line->words[0], line->words[at]);
 }
 
+/* Keys may stand in several lines, but each of them once. */
+static bool key_once(Line *line, const Key *key, Error *error) {
+    char name[64];
+    snprintf(name, sizeof name, "%s %s", line->words[0], key->name);
+    return line_once(line, name, error);
+}
+
 static bool read_keys(Line *line, const Key *table, int entries, Error *error) {
     for (int at = 1; at < line->count;) {
         const Key *key = NULL;
@@ -43,10 +51,12 @@ static bool read_keys(Line *line, const Key *table, int entries, Error *error) {
             if (strcmp(table[i].name, line->words[at]) == 0) key = &table[i];
         }
         if (!key) return unknown_key(line, at, table, entries, error);
-        if (!line_setting(line, at + 1, key->count, key->setting, error)) return false;
+        if (!key_once(line, key, error) || !line_setting(line, at + 1, key->count, key->setting, error))
+            return false;
         at += 1 + key->count;
     }
-    return true;
+    if (line->count > 1) return true;
+    return error_set(error, STATUS_SCENE, "%s needs %s and its value", line->words[0], table[0].name);
 }
 
 static bool read_camera(Line *line, Error *error) {
@@ -62,7 +72,7 @@ static bool read_sun(Line *line, Error *error) {
 }
 
 static bool read_exposure(Line *line, Error *error) {
-    return line_setting(line, 1, 1, "exposure", error);
+    return line_setting(line, 1, 1, "exposure", error) && line_end(line, 2, error);
 }
 
 static bool read_sun_disk(Line *line, Error *error) {
@@ -75,7 +85,8 @@ static bool read_sun_disk(Line *line, Error *error) {
 
 static bool read_size(Line *line, Error *error) {
     double size[2];
-    if (!line_numbers(line, 1, 2, 0, 1e9, size, error) || !scene_check_size(size[0], size[1], error))
+    if (!line_numbers(line, 1, 2, 0, 1e9, size, error) || !line_end(line, 3, error) ||
+        !scene_check_size(size[0], size[1], error))
         return false;
     if (size[0] != (int)size[0] || size[1] != (int)size[1]) {
         return error_set(error, STATUS_SCENE, "size needs two whole numbers");
@@ -116,6 +127,11 @@ static bool read_preset(Line *line, Error *error) {
             return error_set(error, STATUS_SCENE, "preset %s has too many settings", preset->name);
         }
         Setting *setting = &preset->settings[preset->setting_count++];
+        for (int k = 2; k < i; k += 2) {
+            if (strcmp(line->words[k], line->words[i]) == 0)
+                return error_set(error, STATUS_SCENE, "preset %s sets %s twice", preset->name,
+                                 line->words[i]);
+        }
         if (!line_copy_word(setting->name, sizeof setting->name, line->words[i], error) ||
             !line_copy_word(setting->value, sizeof setting->value, line->words[i + 1], error)) {
             return false;
@@ -127,21 +143,23 @@ static bool read_preset(Line *line, Error *error) {
 static const struct {
     const char *key;
     bool (*read)(Line *line, Error *error);
+    /* Whether a second one would only undo the first. */
+    bool once;
 } annotations[] = {
-    {"title", read_title},
-    {"look", read_look},
-    {"camera", read_camera},
-    {"sun", read_sun},
-    {"size", read_size},
-    {"exposure", read_exposure},
-    {"sky", read_sky},
-    {"atmosphere", read_atmosphere},
-    {"preset", read_preset},
-    {"sun-disk", read_sun_disk},
-    {"slider", parameters_read_slider},
-    {"checkbox", parameters_read_checkbox},
-    {"color", parameters_read_color},
-    {"spheres", hints_read_spheres},
+    {"title", read_title, true},
+    {"look", read_look, true},
+    {"camera", read_camera, false},
+    {"sun", read_sun, false},
+    {"size", read_size, true},
+    {"exposure", read_exposure, true},
+    {"sky", read_sky, true},
+    {"atmosphere", read_atmosphere, true},
+    {"preset", read_preset, false},
+    {"sun-disk", read_sun_disk, true},
+    {"slider", parameters_read_slider, false},
+    {"checkbox", parameters_read_checkbox, false},
+    {"color", parameters_read_color, false},
+    {"spheres", hints_read_spheres, true},
 };
 enum { ANNOTATIONS = sizeof annotations / sizeof *annotations };
 
@@ -150,7 +168,9 @@ static bool read_annotation(Line *line, Error *error) {
     if (!line->count) return error_set(error, STATUS_SCENE, "an annotation needs a key");
     if (hints_know(line, &kind)) return hints_read(line, kind, error);
     for (int i = 0; i < ANNOTATIONS; i++) {
-        if (strcmp(annotations[i].key, line->words[0]) == 0) return annotations[i].read(line, error);
+        if (strcmp(annotations[i].key, line->words[0]) != 0) continue;
+        return (!annotations[i].once || line_once(line, annotations[i].key, error)) &&
+               annotations[i].read(line, error);
     }
     Known known = known_to(line->words[0], strlen(line->words[0]));
     for (int i = 0; i < ANNOTATIONS; i++) known_add(&known, annotations[i].key);
@@ -158,12 +178,12 @@ static bool read_annotation(Line *line, Error *error) {
     return known_fail(&known, STATUS_SCENE, error, "unknown annotation '%s'", line->words[0]);
 }
 
-static bool read_line(SceneFile *file, char *text, int number, Error *error) {
+static bool read_line(SceneFile *file, LineSeen *seen, char *text, int number, Error *error) {
     char *mark = strstr(text, "//@");
     char *comment = strstr(text, "//");
     if (!mark || comment != mark) return true;
     *mark = 0;
-    Line line = {.file = file, .declaration = text, .number = number};
+    Line line = {.file = file, .seen = seen, .declaration = text, .number = number};
     if (line_cut(&line, mark + 3, error) && read_annotation(&line, error)) return true;
     error->status = STATUS_SCENE;
     return error_prefix(error, "%s:%d: ", file->path, number);
@@ -184,11 +204,13 @@ bool annotation_read(SceneFile *file, Error *error) {
     const SourceFile *read;
     if (!source_store_read(file->sources, file->path, &read, error)) return false;
     GlslBlocks blocks = {0};
+    LineSeen seen = {0};
     Lines lines = lines_of(text_string(&read->text));
     bool ok = true;
     for (char *line; ok && (line = lines_next(&lines));) {
-        if (glsl_line_counts(&blocks, line)) ok = read_line(file, line, lines.number, error);
+        if (glsl_line_counts(&blocks, line)) ok = read_line(file, &seen, line, lines.number, error);
     }
     lines_free(&lines);
+    line_seen_free(&seen);
     return ok && hints_check(file, error) && try_presets(file, error);
 }

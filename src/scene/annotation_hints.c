@@ -43,11 +43,12 @@ bool hints_read_spheres(Line *line, Error *error) {
     if (line->count != 2)
         return error_set(error, STATUS_SCENE, "spheres needs a number, a slider's name or a .csv file");
     const char *word = line->words[1];
-    if (file->spheres[0]) return error_set(error, STATUS_SCENE, "spheres is there already");
-    if (number_parse(word, &number) &&
-        (number < 0 || number > SCENE_MOST_SPHERES || number != (double)(int)number)) {
-        return error_set(error, STATUS_SCENE, "spheres: '%s' is not a whole number from 0 to %d", word,
-                         SCENE_MOST_SPHERES);
+    if (number_parse(word, &number)) {
+        if (number < 0 || number > SCENE_MOST_SPHERES)
+            return error_set(error, STATUS_SCENE, "spheres: %s is outside the range from 0 to %d", word,
+                             SCENE_MOST_SPHERES);
+        if (number != (double)(int)number)
+            return error_set(error, STATUS_SCENE, "spheres: '%s' is not a whole number", word);
     }
     file->spheres_line = line->number;
     return line_copy_word(file->spheres, sizeof file->spheres, word, error);

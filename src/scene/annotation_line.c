@@ -1,9 +1,12 @@
 #include "scene/annotation_line.h"
 
+#include "base/memory.h"
 #include "base/number.h"
 #include "base/text.h"
 #include "scene/setting.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 bool line_cut(Line *line, char *text, Error *error) {
@@ -23,6 +26,29 @@ bool line_cut(Line *line, char *text, Error *error) {
         *end = 0;
     }
     return true;
+}
+
+bool line_once(Line *line, const char *key, Error *error) {
+    LineSeen *seen = line->seen;
+    for (int i = 0; i < seen->count; i++) {
+        if (strcmp(seen->items[i].key, key) != 0) continue;
+        return error_set(error, STATUS_SCENE, "%s is there already, in line %d", key, seen->items[i].number);
+    }
+    seen->items = memory_grow(seen->items, (size_t)seen->count + 1, sizeof *seen->items);
+    LineOnce *once = &seen->items[seen->count++];
+    *once = (LineOnce){.number = line->number};
+    snprintf(once->key, sizeof once->key, "%s", key);
+    return true;
+}
+
+void line_seen_free(LineSeen *seen) {
+    free(seen->items);
+    *seen = (LineSeen){0};
+}
+
+bool line_end(const Line *line, int at, Error *error) {
+    return at >= line->count ||
+           error_set(error, STATUS_SCENE, "%s: '%s' is one word too many", line->words[0], line->words[at]);
 }
 
 char *line_join(const Line *line, int first) {

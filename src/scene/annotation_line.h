@@ -5,9 +5,21 @@
 
 enum { MOST_WORDS = 40 };
 
+/* The keys that were read already, with their lines. */
+typedef struct LineOnce {
+    char key[64];
+    int number;
+} LineOnce;
+
+typedef struct LineSeen {
+    LineOnce *items;
+    int count;
+} LineSeen;
+
 typedef struct Line {
     /* What is being read. */
     SceneFile *file;
+    LineSeen *seen;
     /* The annotation's; words[0] is its key. */
     char *words[MOST_WORDS];
     int count;
@@ -18,6 +30,14 @@ typedef struct Line {
 
 /* Cuts `text`, which the words point into: blanks part them, and what is in quotation marks is one word. */
 MUST_CHECK bool line_cut(Line *line, char *text, Error *error);
+
+/* Notes a key that can stand once in a file, such as "title" or "camera eye". The error names the line of the
+ * first one. */
+MUST_CHECK bool line_once(Line *line, const char *key, Error *error);
+void line_seen_free(LineSeen *seen);
+
+/* Fails if there are words from `at` on. */
+MUST_CHECK bool line_end(const Line *line, int at, Error *error);
 
 /* The words from `first` on with one blank between them, to be freed. */
 char *line_join(const Line *line, int first);

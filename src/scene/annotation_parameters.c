@@ -68,6 +68,15 @@ static bool unknown_key(const Line *line, int at, Error *error) {
     return known_fail(&known, STATUS_SCENE, error, "%s: unknown key '%s'", line->words[0], line->words[at]);
 }
 
+/* Whether the key does not stand in front of its place too: keys have even places. */
+static bool key_once(const Line *line, int at, Error *error) {
+    for (int i = 2; i < at; i += 2) {
+        if (strcmp(line->words[i], line->words[at]) == 0)
+            return error_set(error, STATUS_SCENE, "%s: %s is there twice", line->words[0], line->words[at]);
+    }
+    return true;
+}
+
 /* The trailing `unit m label "height of the ball"`. */
 static bool read_words(const Line *line, int at, Parameter *parameter, Error *error) {
     for (; at < line->count; at += 2) {
@@ -76,6 +85,7 @@ static bool read_words(const Line *line, int at, Parameter *parameter, Error *er
             return unknown_key(line, at, error);
         }
         if (at + 1 == line->count) return error_set(error, STATUS_SCENE, "%s needs a word", line->words[at]);
+        if (!key_once(line, at, error)) return false;
         char **target = unit ? &parameter->unit : &parameter->label;
         free(*target);
         *target = strdup(line->words[at + 1]);
@@ -91,13 +101,14 @@ bool parameters_read_slider(Line *line, Error *error) {
     for (; at < line->count; at += 2) {
         bool min = strcmp(line->words[at], "min") == 0;
         if (!min && strcmp(line->words[at], "max") != 0) break;
+        if (!key_once(line, at, error)) return false;
         if (!line_numbers(line, at + 1, 1, -1e30, 1e30, min ? &parameter->min : &parameter->max, error))
             return false;
     }
     if (!read_words(line, at, parameter, error)) return false;
     if (value_of(line, parameter)[0] < parameter->min || value_of(line, parameter)[0] > parameter->max) {
-        return error_set(error, STATUS_SCENE, "slider: %g is not from %g to %g", value_of(line, parameter)[0],
-                         parameter->min, parameter->max);
+        return error_set(error, STATUS_SCENE, "slider: %g is outside the range from %g to %g",
+                         value_of(line, parameter)[0], parameter->min, parameter->max);
     }
     return true;
 }

@@ -60,8 +60,10 @@ static bool include_slot(Flattener *flattener, const char *name, const Place *pl
     for (const GlslSlot *slot = flattener->slots; slot && slot->name; slot++) {
         if (strcmp(slot->name, name) == 0) return fill_slot(flattener, slot, place, error);
     }
-    return error_set(error, STATUS_SCENE, "%s:%d: unknown slot <%s> in #include", place->path, place->line,
-                     name);
+    return error_set(error, STATUS_SCENE,
+                     "%s:%d: unknown slot <%s> in #include: a file is included in quotation marks, #include "
+                     "\"%s\"; < > is for what the program chooses, such as <sky>",
+                     place->path, place->line, name, name);
 }
 
 static bool include_quoted(Flattener *flattener, const Found *includer, const char *name, const Place *place,

@@ -37,26 +37,50 @@ static const char *take_word(const char *at, char *word, size_t size) {
     return at + length;
 }
 
-static void add(GlslUniforms *uniforms, const char *type, const char *name, int file) {
+/* Where a line begins, by the #line in front of it. */
+typedef struct Place {
+    const char *at;
+    int file, line;
+} Place;
+
+static GlslUniform *add(GlslUniforms *uniforms, const char *type, const char *name, const Place *place,
+                        const char *at) {
     GlslUniform *uniform;
     uniforms->items = memory_grow(uniforms->items, (size_t)uniforms->count + 1, sizeof *uniforms->items);
     uniform = &uniforms->items[uniforms->count++];
-    *uniform = (GlslUniform){.file = file};
+    *uniform = (GlslUniform){.file = place->file, .line = place->line};
+    for (const char *c = place->at; c < at; c++) uniform->line += *c == '\n';
     snprintf(uniform->type, sizeof uniform->type, "%s", type);
     snprintf(uniform->name, sizeof uniform->name, "%s", name);
+    return uniform;
+}
+
+/* `at` stands behind the "=" of a declaration. Returns the comma or semicolon that ends the value. */
+static const char *skip_value(const char *at) {
+    for (int depth = 0; *at && *at != ';' && !(*at == ',' && depth == 0); at++)
+        depth += (*at == '(' || *at == '{' || *at == '[') - (*at == ')' || *at == '}' || *at == ']');
+    return at;
+}
+
+static bool is_precision(const char *word) {
+    return strcmp(word, "lowp") == 0 || strcmp(word, "mediump") == 0 || strcmp(word, "highp") == 0;
 }
 
 /* `at` stands behind the word `uniform`. Returns what follows the declaration's names. */
-static const char *take_declaration(const char *at, int file, GlslUniforms *uniforms) {
+static const char *take_declaration(const char *at, const Place *place, GlslUniforms *uniforms) {
     char type[32], name[64];
-    at = take_word(skip_blanks(at), type, sizeof type);
+    do at = take_word(skip_blanks(at), type, sizeof type);
+    while (is_precision(type));
     for (;;) {
-        at = take_word(skip_blanks(at), name, sizeof name);
+        const char *start = skip_blanks(at);
+        at = take_word(start, name, sizeof name);
         if (!name[0]) return at;
-        add(uniforms, type, name, file);
+        GlslUniform *uniform = add(uniforms, type, name, place, start);
         at = skip_blanks(at);
         if (*at == '[') at = skip_blanks(at + strcspn(at, "];"));
         if (*at == ']') at = skip_blanks(at + 1);
+        uniform->has_value = *at == '=';
+        if (*at == '=') at = skip_value(at + 1);
         if (*at != ',') return at;
         at++;
     }
@@ -64,15 +88,16 @@ static const char *take_declaration(const char *at, int file, GlslUniforms *unif
 
 GlslUniforms glsl_uniforms(const char *text) {
     GlslUniforms uniforms = {0};
-    int file = 0;
+    Place place = {.at = text, .line = 1};
     bool line_start = true;
     for (const char *at = text; *at;) {
         const char *next = skip_blanks(at);
         line_start = line_start || memchr(at, '\n', (size_t)(next - at)) != NULL;
         at = next;
         if (!*at) break;
-        if (line_start && sscanf(at, "#line %*d %d", &file) == 1) {
+        if (line_start && sscanf(at, "#line %d %d", &place.line, &place.file) == 2) {
             at += strcspn(at, "\n");
+            place.at = *at ? at + 1 : at;
             continue;
         }
         line_start = false;
@@ -82,7 +107,7 @@ GlslUniforms glsl_uniforms(const char *text) {
         }
         char word[16];
         at = take_word(at, word, sizeof word);
-        if (strcmp(word, keyword) == 0) at = take_declaration(at, file, &uniforms);
+        if (strcmp(word, keyword) == 0) at = take_declaration(at, &place, &uniforms);
     }
     return uniforms;
 }

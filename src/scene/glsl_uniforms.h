@@ -7,8 +7,10 @@ typedef struct GlslUniform {
     char name[64];
     /* The type as it is written: "vec3", "sampler2D", or a struct's name. */
     char type[32];
-    /* The file that declares it, by its number in GlslSource.files. */
-    int file;
+    /* The file that declares it, by its number in GlslSource.files, and the line there, from 1. */
+    int file, line;
+    /* Whether its declaration gives it a value: `uniform float a = 1.0;`. */
+    bool has_value;
 } GlslUniform;
 
 typedef struct GlslUniforms {

@@ -6,6 +6,7 @@
 #include "scene/annotation_hints.h"
 #include "scene/hint_glsl.h"
 #include "scene/spectrum.h"
+#include "scene/uniform_check.h"
 
 #include <math.h>
 #include <string.h>
@@ -20,7 +21,9 @@ static bool find_facts(SceneFile *file, Error *error) {
     GlslSource source;
     if (!glsl_source_create(&source, file->sources, file->path, NULL, error)) return false;
     file->facts = scene_facts(&source);
-    bool ok = hint_glsl_find(file, &source, error);
+    /* A text without scene_intersect() is no scene, and is told so where it is used as one. */
+    bool ok =
+        hint_glsl_find(file, &source, error) && (file->facts.missing || uniform_check(file, &source, error));
     glsl_source_destroy(&source);
     return ok;
 }
