@@ -5,8 +5,10 @@
 #include "base/lines.h"
 #include "view/carry.h"
 #include "view/day.h"
+#include "view/exposure.h"
 #include "view/figures.h"
 #include "view/keys.h"
+#include "view/meter.h"
 #include "view/orbit.h"
 
 #include <math.h>
@@ -124,6 +126,84 @@ static void test_words(void **state) {
     assert_true(strstr(text, "pixel 3 4, right side\n") == text && strstr(text, "depth     none"));
 }
 
+enum { CELLS = METER_COLUMNS * METER_ROWS };
+
+static double reading_of(double light, double sun, int sun_cells, int black_cells) {
+    float cells[4 * CELLS];
+    for (int i = 0; i < 4 * CELLS; i++) {
+        int cell = i / 4;
+        cells[i] = (float)(cell < sun_cells ? sun : cell >= CELLS - black_cells ? 0 : light);
+    }
+    return meter_reading(cells);
+}
+
+/* The meter reads stops. The sun's own image does not count, nor a little black, and black alone is no
+ * reading.
+ */
+static void test_meter(void **state) {
+    (void)state;
+    assert_true(fabs(reading_of(0.25, 0, 0, 0) + 2) < 1e-6);
+    assert_true(fabs(reading_of(8, 0, 0, 0) - 3) < 1e-6);
+    assert_true(fabs(reading_of(0.25, 3e5, CELLS / 30, 0) + 2) < 1e-6);
+    assert_true(fabs(reading_of(0.25, 0, 0, CELLS / 30) + 2) < 1e-6);
+    assert_true(reading_of(0.25, 0, 0, CELLS / 2) < -5 && reading_of(0.25, 0, 0, CELLS / 2) > -8);
+    assert_true(isnan(reading_of(0, 0, 0, 0)) && isnan(reading_of(NAN, 0, 0, 0)));
+}
+
+/* At the anchor the exposure is the author's, whatever the meter reads. A darker picture gets nine tenths of
+ * what it lost, within limits, and the way back ends where it began. */
+static void test_exposure(void **state) {
+    (void)state;
+    Scene scene = scene_default("none", "glsl");
+    SceneValues own = scene.values, night = own;
+    AutoExposure exposure = {.on = true, .target_ev = NAN};
+    double shown_ev = 0;
+    night.sun.elevation_deg = -4;
+    night.exposure_ev = 7;
+    assert_false(exposure_adapt(&exposure, &shown_ev, 1));
+    own.exposure_ev = -1;
+    exposure_anchor(&exposure, &own);
+    assert_false(exposure_adapt(&exposure, &shown_ev, 0.01));
+    assert_true(shown_ev == -1);
+    exposure_read(&exposure, &own, -3);
+    assert_true(exposure.target_ev == -1);
+    exposure_read(&exposure, &night, -8);
+    assert_true(fabs(exposure.target_ev - 3.5) < 1e-9);
+    double before = shown_ev;
+    assert_true(exposure_adapt(&exposure, &shown_ev, 0.02) && shown_ev > before && shown_ev < 0);
+    for (int i = 0; i < 100; i++) exposure_adapt(&exposure, &shown_ev, 0.02);
+    assert_true(shown_ev == exposure.target_ev);
+    exposure_read(&exposure, &night, -40);
+    assert_true(fabs(exposure.target_ev - 13) < 1e-9);
+    exposure_read(&exposure, &night, NAN);
+    assert_true(fabs(exposure.target_ev - 13) < 1e-9);
+    exposure_read(&exposure, &own, -2.9);
+    assert_true(exposure.target_ev == -1);
+    /* Without an anchor a picture of middle grey is shown as it is. */
+    exposure = (AutoExposure){.on = true, .target_ev = NAN};
+    exposure_read(&exposure, &night, log2(0.18));
+    assert_true(fabs(exposure.target_ev) < 1e-9);
+    scene_destroy(&scene);
+}
+
+/* An edit of the author's exposure moves the anchor's by as much, and a scene that was shown as its author
+ * meant is shown so afterwards. */
+static void test_exposure_of_an_edit(void **state) {
+    (void)state;
+    Scene scene = scene_default("none", "glsl");
+    SceneValues before = scene.values, now = before;
+    AutoExposure exposure = {.on = true, .target_ev = NAN};
+    exposure_anchor(&exposure, &before);
+    exposure_read(&exposure, &before, -2);
+    now.exposure_ev = 1;
+    now.camera.eye[1] += 1;
+    exposure_reload(&exposure, &before, &now, &now, true);
+    assert_true(exposure_is_anchor(&exposure, &now) && !exposure_is_anchor(&exposure, &before));
+    exposure_read(&exposure, &now, -2);
+    assert_true(exposure.target_ev == 1);
+    scene_destroy(&scene);
+}
+
 /* The README has the keys as the window's own help has them, in the same order, beside the marks of code. */
 static void test_help(void **state) {
     (void)state;
@@ -152,8 +232,11 @@ static void test_help(void **state) {
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orbit), cmocka_unit_test(test_day_of_the_sun), cmocka_unit_test(test_carry),
-        cmocka_unit_test(test_help),  cmocka_unit_test(test_curve),          cmocka_unit_test(test_words),
+        cmocka_unit_test(test_orbit),    cmocka_unit_test(test_day_of_the_sun),
+        cmocka_unit_test(test_carry),    cmocka_unit_test(test_meter),
+        cmocka_unit_test(test_exposure), cmocka_unit_test(test_exposure_of_an_edit),
+        cmocka_unit_test(test_help),     cmocka_unit_test(test_curve),
+        cmocka_unit_test(test_words),
     };
     return cmocka_run_group_tests_name("view", tests, support_folder, support_clean);
 }

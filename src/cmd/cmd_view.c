@@ -42,6 +42,13 @@ static MethodNames method_names(const Options *options) {
     return names;
 }
 
+static bool sets_exposure(const Options *options) {
+    bool set = options->has_exposure;
+    for (int i = 0; i < options->setting_count; i++)
+        set |= strncmp(options->settings[i], "exposure=", strlen("exposure=")) == 0;
+    return set;
+}
+
 static bool check_folder(const char *folder, Error *error) {
     struct stat status;
     if (!folder || mkdir(folder, 0777) == 0) return true;
@@ -65,6 +72,8 @@ Status cmd_view(const Options *options, Error *error) {
                              .library = source.library,
                              .glsl_dir = options->glsl_dir,
                              .methods = method_names(options),
+                             .preset = options->preset,
+                             .exposure_set = sets_exposure(options),
                              .width = options->width,
                              .height = options->height,
                              .seed = options->seed,

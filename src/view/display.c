@@ -3,7 +3,8 @@
 #include <math.h>
 
 static const char *const files[DISPLAY_WAYS] = {"pass/shown_picture.glsl", "pass/shown_enlarged.glsl",
-                                                "pass/shown_difference.glsl", "pass/shown_raw.glsl"};
+                                                "pass/shown_difference.glsl", "pass/shown_raw.glsl",
+                                                "pass/shown_cells.glsl"};
 
 bool display_create(Display *display, const Context *context, const char *library, Error *error) {
     SourceStore *sources = source_store_create(library);
@@ -99,4 +100,13 @@ bool display_draw(const Display *display, const DisplayParams *params, Error *er
         if (sides[1].film) draw_side(display, params, &sides[1], right);
     }
     return gl_check(gl, "showing the picture", error);
+}
+
+void display_cells(const Display *display, const Film *film, const Target *cells) {
+    const DisplayParams params = {.width = cells->width, .height = cells->height};
+    cells->gl->BindFramebuffer(GL_FRAMEBUFFER, cells->framebuffer[1 - cells->front]);
+    cells->gl->Viewport(0, 0, cells->width, cells->height);
+    const Program *program = use(display, DISPLAY_CELLS, &params);
+    program_set_texture(program, "film_a", front(film));
+    draw_all(program, &params);
 }

@@ -10,6 +10,7 @@ typedef enum DisplayWay {
     DISPLAY_ENLARGED,
     DISPLAY_DIFFERENCE,
     DISPLAY_RAW,
+    DISPLAY_CELLS,
     DISPLAY_WAYS
 } DisplayWay;
 
@@ -45,3 +46,7 @@ void display_destroy(Display *display);
 
 /* Draws on framebuffer 0. */
 MUST_CHECK bool display_draw(const Display *display, const DisplayParams *params, Error *error);
+
+/* Draws the film's mean radiance in each cell of a grid on the back of `cells`. Its size is that of the grid.
+ */
+void display_cells(const Display *display, const Film *film, const Target *cells);

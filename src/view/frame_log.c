@@ -36,6 +36,7 @@ void frame_log(const FrameLog *frame, const ViewState *state, const ViewFigures 
     log_number("elevation", state->scene.values.sun.elevation_deg);
     log_number("azimuth", state->scene.values.sun.azimuth_deg);
     log_number("exposure", state->scene.values.exposure_ev);
+    log_number("exposure_automatic", state->exposure.on);
     log_number("eye_x", state->scene.values.camera.eye[0]);
     log_number("eye_y", state->scene.values.camera.eye[1]);
     log_number("eye_z", state->scene.values.camera.eye[2]);

@@ -19,7 +19,7 @@ static const KeysHelp help[] = {
     {"W A S D, E Q", "fly, up and down"},
     {"R", "the scene's own camera"},
     {"C", "copy camera and sun as annotations"},
-    {"- =", "exposure"},
+    {"- =, M", "exposure; automatic exposure"},
     {"V", "two sides with a divider to drag; X exchanges them"},
     {"B", "the right side has a sun of its own, to drag there"},
     {"F, [ ]", "the sides' difference in false colours; their range"},
@@ -124,7 +124,15 @@ static void change_range(ViewState *state, bool wider) {
 }
 
 static void change_exposure(ViewState *state, double stops) {
-    state->scene.values.exposure_ev = fmin(fmax(state->scene.values.exposure_ev + stops, -64), 64);
+    view_set_exposure(state, state->scene.values.exposure_ev + stops);
+}
+
+static void toggle_exposure(ViewState *state) {
+    state->exposure.on = !state->exposure.on;
+    if (state->exposure.on)
+        view_notice(state, "automatic exposure");
+    else
+        view_notice(state, "the exposure stays at %.2f EV", state->scene.values.exposure_ev);
 }
 
 /* Handles the arrow keys. Azimuth grows to the left for someone who looks along +z. */
@@ -180,6 +188,9 @@ void keys_pressed_once(ViewState *state, int key, int width) {
         break;
     case GLFW_KEY_P:
         state->wishes.save = true;
+        break;
+    case GLFW_KEY_M:
+        toggle_exposure(state);
         break;
     case GLFW_KEY_SPACE:
         state->clock_running = !state->clock_running;

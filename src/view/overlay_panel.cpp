@@ -45,7 +45,10 @@ static void sun_section(ViewState *state) {
         state->day = day_through(elevation, azimuth);
     }
     if (state->playing) slider("hours/s", &state->hours_per_second, 0.01, 4, "%.2f");
-    slider("exposure", &state->scene.values.exposure_ev, -8, 8, "%.2f EV");
+    double exposure = state->scene.values.exposure_ev;
+    if (slider("exposure", &exposure, -8, 16, state->exposure.on ? "%.2f EV, automatic" : "%.2f EV"))
+        view_set_exposure(state, exposure);
+    ImGui::Checkbox("automatic exposure", &state->exposure.on);
 }
 
 static void preset_section(ViewState *state) {

@@ -169,6 +169,7 @@ static bool reload_content(Picture *picture, ViewState *state, Error *error) {
 
 bool picture_reload(Picture *picture, ViewState *state, Error *error) {
     Scene before = state->scene, file;
+    bool is_anchor = exposure_is_anchor(&state->exposure, &before.values);
     if (!picture->params->load(picture->params->data, &file, error)) return false;
     state->scene = file;
     carry_over(&state->scene, &state->file, &before);
@@ -177,6 +178,7 @@ bool picture_reload(Picture *picture, ViewState *state, Error *error) {
         scene_destroy(&file);
         return false;
     }
+    exposure_reload(&state->exposure, &state->file.values, &file.values, &state->scene.values, is_anchor);
     scene_destroy(&state->file);
     state->file = file;
     picture->good_scene = state->scene;

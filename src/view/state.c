@@ -54,6 +54,11 @@ void view_turn_sun(ViewState *state, int side, double elevation_deg, double azim
                  scene.values.sun.azimuth_deg + azimuth_deg);
 }
 
+void view_set_exposure(ViewState *state, double exposure_ev) {
+    state->scene.values.exposure_ev = fmin(fmax(exposure_ev, -64), 64);
+    state->exposure.on = false;
+}
+
 int view_side_at(const ViewState *state, double x, int width) {
     return state->split && x > state->divider * width ? 1 : 0;
 }
@@ -86,6 +91,7 @@ void view_choose_preset(ViewState *state, const char *name) {
         return;
     }
     state->scene = scene;
+    exposure_anchor(&state->exposure, &scene.values);
     view_notice(state, "preset %s", name);
 }
 
@@ -102,6 +108,7 @@ void view_choose_time(ViewState *state, int time) {
     }
     view_set_sun(state, 0, times[time].elevation_deg, state->scene.values.sun.azimuth_deg);
     state->scene.values.exposure_ev = state->file.values.exposure_ev + times[time].exposure_ev;
+    exposure_anchor(&state->exposure, &state->scene.values);
     view_notice(state, "%s", times[time].name);
 }
 

@@ -4,6 +4,7 @@
 
 #include "scene/scene.h"
 #include "view/day.h"
+#include "view/exposure.h"
 
 /* The names of methods, as on the command line. An empty name means auto. */
 typedef struct MethodNames {
@@ -35,6 +36,8 @@ typedef struct ViewState {
     Scene file;
     /* The scene as it is now. */
     Scene scene;
+    /* The automatic exposure. While it is on, it sets the scene's. */
+    AutoExposure exposure;
     MethodNames methods[MOST_SIDES];
     /* Whether the second side is shown. It is right of the divider, whose place is from 0 to 1 of the width.
      */
@@ -89,6 +92,9 @@ void view_set_sun(ViewState *state, int side, double elevation_deg, double azimu
 
 /* Turns a side's sun from where it is. */
 void view_turn_sun(ViewState *state, int side, double elevation_deg, double azimuth_deg);
+
+/* Sets the exposure by hand, which turns the automatic one off. */
+void view_set_exposure(ViewState *state, double exposure_ev);
 
 /* Returns the side that is shown at column x of a picture of this width. */
 int view_side_at(const ViewState *state, double x, int width);

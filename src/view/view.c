@@ -4,8 +4,11 @@
 #include "view/controls.h"
 #include "view/frame_log.h"
 #include "view/log.h"
+#include "view/meter.h"
 #include "view/overlay.h"
 #include "view/picture.h"
+#include "view/say.h"
+#include "view/wishes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -21,6 +24,7 @@ typedef struct View {
     Overlay *overlay;
     Display display;
     Picture picture;
+    Meter meter;
     Watch watch;
     Controls controls;
     ViewFigures figures;
@@ -28,25 +32,15 @@ typedef struct View {
     double heard;
     /* When a picture was last shown, and when the camera last flew. */
     double shown, flown;
+    /* Whether the automatic exposure has not arrived, and when it last moved. */
+    bool adapting;
+    double adapted;
     /* Whether there is something new to show. */
     bool news;
     /* The number of pictures to show in any case: the overlay needs some to settle. */
     int linger;
     int frames, recorded;
 } View;
-
-/* Reports a failure in the window and on standard error. */
-static void say_failure(View *view, const Error *error) {
-    view_failure(&view->state, error->text);
-    fprintf(stderr, "magichour: %s\n", error->text);
-}
-
-/* Does the same once: the sun of a day that plays may be refused in every turn. */
-static void say_refusal(View *view, const Error *refusal) {
-    const Notice *notice = &view->state.notice;
-    bool said = notice->failed && strncmp(notice->text, refusal->text, sizeof notice->text - 1) == 0;
-    if (!said) say_failure(view, refusal);
-}
 
 static bool show(View *view, Error *error) {
     DisplayParams params = picture_display(&view->picture, &view->state);
@@ -72,7 +66,7 @@ static bool reload_if_changed(View *view, Error *error) {
         view_notice(&view->state, "%s: read again", view->params->path);
         set_title(view);
     } else if (view_is_refusal(error)) {
-        say_failure(view, error);
+        say_failure(&view->state, error);
     } else {
         return false;
     }
@@ -85,37 +79,6 @@ static bool reload_if_changed(View *view, Error *error) {
     log_number("seconds", clock_seconds() - start);
     log_end();
     return true;
-}
-
-static void copy_annotations(View *view) {
-    char text[512];
-    view_annotations(&view->state, text, sizeof text);
-    window_set_clipboard(&view->window, text);
-    view_notice(&view->state, "copied:\n%s", text);
-    log_begin("copy");
-    log_text("text", text);
-    log_end();
-}
-
-/* Saves the picture as soon as it is at rest. A file that cannot be written is reported, and the window stays
- * open. */
-static void save_if_wished(View *view) {
-    ViewState *state = &view->state;
-    char name[300];
-    Error error;
-    if (!state->wishes.save || !picture_is_whole(&view->picture, state)) return;
-    state->wishes.save = false;
-    save_choose_name(&state->scene, name, sizeof name);
-    bool ok = picture_save(&view->picture, state, name, true, &error);
-    if (ok)
-        view_notice(state, "saved %s.exr and .png", name);
-    else
-        say_failure(view, &error);
-    log_begin("save");
-    log_text("name", name);
-    log_text("message", ok ? "" : error.text);
-    log_number("samples", (double)view->figures.sides[0].samples);
-    log_end();
 }
 
 static void advance_day(ViewState *state, double hours) {
@@ -184,33 +147,49 @@ static bool present(View *view, Error *error) {
     return true;
 }
 
+/* Lets the automatic exposure follow the picture. A recorded day has the exposure of each frame's own
+ * picture.
+ */
+static bool adapt(View *view, Error *error) {
+    ViewState *state = &view->state;
+    double now = clock_seconds(), passed = fmin(now - view->adapted, 0.1);
+    view->adapted = now;
+    if (!meter_follow(&view->meter, &view->display, &view->picture, state, error)) return false;
+    state->exposure.at_once |= view->params->record && state->playing;
+    double before = state->scene.values.exposure_ev;
+    view->adapting = exposure_adapt(&state->exposure, &state->scene.values.exposure_ev, passed);
+    view->news |= state->scene.values.exposure_ev != before;
+    return true;
+}
+
 /* One turn of the window's loop. */
 static bool turn(View *view, Error *error) {
     ViewState *state = &view->state;
-    bool busy = !view->frames || view->linger || state->playing || !picture_rests(&view->picture, state);
+    bool busy = !view->frames || view->linger || state->playing || view->adapting ||
+                !picture_rests(&view->picture, state);
     Error refusal;
     hear(view, busy && view->window.width ? 0 : 0.05);
     if (!reload_if_changed(view, error)) return false;
     pass_time(view);
-    if (state->wishes.copy) copy_annotations(view);
-    state->wishes.copy = false;
+    wishes_copy(state, &view->window);
     if (!view->window.width) return true;
     view->picture.width = view->window.width;
     view->picture.height = view->window.height;
-    bool due = view->linger || !view->frames || state->playing || state->clock_running ||
+    bool due = view->linger || !view->frames || state->playing || state->clock_running || view->adapting ||
                picture_hurries(&view->picture, state) || clock_seconds() > view->shown + rest_interval_s;
     if (due) {
         if (!picture_figures(&view->picture, state, &view->figures, error)) return false;
         overlay_build(view->overlay, state, &view->figures);
     }
     if (!picture_update(&view->picture, state, &refusal, error)) return false;
-    if (refusal.status != STATUS_DONE) say_refusal(view, &refusal);
+    if (refusal.status != STATUS_DONE) say_refusal(state, &refusal);
     bool drew = false;
     if (!picture_draw(&view->picture, state, &drew, error)) return false;
     view->news |= drew;
     /* The last figures are to be shown too. */
     if (drew && picture_rests(&view->picture, state)) view->linger = 2;
-    save_if_wished(view);
+    if (!adapt(view, error)) return false;
+    if (!view->adapting) wishes_save(state, &view->picture);
     if (view->params->record && state->playing && !record(view, error)) return false;
     if (!due || !(view->news || view->linger)) return true;
     view->news = false;
@@ -231,7 +210,22 @@ static bool open_window(View *view, Error *error) {
     view->figures.scale = view->window.scale;
     view->overlay = overlay_create(&view->window, error);
     return view->overlay && display_create(&view->display, &view->window.context, params->library, error) &&
+           meter_create(&view->meter, &view->window.context, error) &&
            picture_create(&view->picture, params, &view->window.context, &view->state, error);
+}
+
+/* The author's exposure is kept if the sun stands where the scene or the preset has it. */
+static void start_exposure(ViewState *state, const ViewParams *params) {
+    AutoExposure *exposure = &state->exposure;
+    SceneValues values = state->scene.values;
+    Scene own = {state->scene.file, state->scene.file->values};
+    Error error;
+    *exposure = (AutoExposure){.on = !params->exposure_set, .target_ev = NAN, .at_once = true};
+    if (params->preset && !scene_choose_preset(&own, params->preset, &error)) return;
+    values.exposure_ev = own.values.exposure_ev;
+    if (values.sun.elevation_deg == own.values.sun.elevation_deg &&
+        values.sun.azimuth_deg == own.values.sun.azimuth_deg)
+        exposure_anchor(exposure, &values);
 }
 
 static void start_state(ViewState *state, const ViewParams *params) {
@@ -239,6 +233,7 @@ static void start_state(ViewState *state, const ViewParams *params) {
     state->methods[0] = state->methods[1] = params->methods;
     snprintf(state->methods[1].light, sizeof state->methods[1].light, "cosine");
     snprintf(state->methods[1].sequence, sizeof state->methods[1].sequence, "random");
+    start_exposure(state, params);
     state->divider = 0.5;
     state->difference_percent = 10;
     state->hours_per_second = 1;
@@ -262,6 +257,7 @@ static void destroy(View *view) {
     /* OpenGL's objects are destroyed with their context, which may be lost. */
     if (view->window.handle) {
         picture_destroy(&view->picture);
+        meter_destroy(&view->meter);
         display_destroy(&view->display);
         overlay_destroy(view->overlay);
         window_close(&view->window);
@@ -278,7 +274,7 @@ bool view_run(const ViewParams *params, Error *error) {
     bool ok = open_window(&view, error);
     if (ok) {
         picture_watch(&view.picture, &view.state, &view.watch);
-        view.flown = view.shown = clock_seconds();
+        view.flown = view.shown = view.adapted = clock_seconds();
         log_start(&view, started);
     }
     while (ok && !view.window.closed && !view.state.wishes.quit && !(params->stop && params->stop()))

@@ -18,6 +18,10 @@ typedef struct ViewParams {
     const char *glsl_dir;
     /* The methods of the left side. The right side begins with cosine and random. */
     MethodNames methods;
+    /* The preset that the command line names, or NULL. */
+    const char *preset;
+    /* Whether the command line sets the exposure. */
+    bool exposure_set;
     /* 0 means the scene's size. */
     int width, height;
     unsigned seed;
