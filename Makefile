@@ -43,7 +43,7 @@ LIBRARY := $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(LEFT_OUT),$(wildcard tests/test_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$(wildcard tests/*.c)))
 
-.PHONY: all tests demo test check check-slow check-all tests-table lint format deps man install uninstall clean compile_commands.json cmocka FORCE
+.PHONY: all tests demo test check check-slow check-all tests-table lint format deps man install uninstall dist clean compile_commands.json cmocka FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
@@ -129,6 +129,10 @@ install: all man
 
 uninstall:
 	@tools/install.sh uninstall
+
+# The source archive, $(BUILD)/magichour-VERSION.tar.gz.
+dist:
+	@tools/dist.sh $(BUILD)
 
 clean:
 	rm -rf build

@@ -1,6 +1,6 @@
 /* Measurements in a CSV that grows row by row. An interrupted chart goes on where it stopped.
  *
- *     # magichour 0.1.0           the identity: what was measured, and on which machine
+ *     # magichour VERSION         the identity: what was measured, and on which machine
  *     sky,light,samples,seconds   the names of the words, then of the numbers
  *     table:gauss:8,cosine,1,0.01
  */
