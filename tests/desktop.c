@@ -119,7 +119,8 @@ void desktop_view(Desktop *desktop, const char *format, ...) {
     Text command = {0};
     const char *program = getenv("MAGICHOUR");
     text_print(&command,
-               "here=$PWD; cd '%s' && DISPLAY=:%d exec '%s' view %s --progress json 2>'%s' </dev/null",
+               "here=$PWD; cd '%s' && DISPLAY=:%d XDG_STATE_HOME=\"$PWD/state\" exec '%s' view %s --progress "
+               "json 2>'%s' </dev/null",
                support_path("."), desktop->number, program ? program : "build/magichour", arguments,
                desktop->log_path);
     unlink(desktop->log_path);

@@ -7,7 +7,6 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 
-#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -162,13 +161,9 @@ int support_folder(void **state) {
 
 int support_clean(void **state) {
     (void)state;
-    DIR *entries = opendir(folder);
-    if (!entries) return -1;
-    for (struct dirent *entry; (entry = readdir(entries));) {
-        if (entry->d_name[0] != '.') unlink(support_path(entry->d_name));
-    }
-    closedir(entries);
-    return rmdir(folder);
+    char command[600];
+    snprintf(command, sizeof command, "rm -rf '%s'", folder);
+    return system(command);
 }
 
 const char *support_path(const char *name) {

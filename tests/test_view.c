@@ -10,8 +10,11 @@
 #include "view/keys.h"
 #include "view/meter.h"
 #include "view/orbit.h"
+#include "view/remember.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void test_orbit(void **state) {
@@ -126,6 +129,50 @@ static void test_words(void **state) {
     assert_true(strstr(text, "pixel 3 4, right side\n") == text && strstr(text, "depth     none"));
 }
 
+/* What is less important is left out of a bar that is too long. */
+static void test_bar(void **state) {
+    (void)state;
+    ViewFigures figures = {.scene = true, .frame_mean_s = 0.04};
+    Sun sun = sun_at(-4, 90, 0.27);
+    char text[200];
+    figures.sides[0] =
+        (SideFigures){.samples = 80, .seconds = 2.2, .prepared = 1, .coarseness = 1, .error_percent = 1.04};
+    figures_bar(&figures, &sun, 100, text, sizeof text);
+    assert_string_equal(text, "80 samples in 2.2 s   error 1.04 %   sun -4 90   25 fps");
+    figures_bar(&figures, &sun, 37, text, sizeof text);
+    assert_string_equal(text, "80 samples in 2.2 s   error 1.04 %");
+    figures_bar(&figures, &sun, 5, text, sizeof text);
+    assert_string_equal(text, "");
+    figures.scene = false;
+    figures_bar(&figures, &sun, 100, text, sizeof text);
+    assert_string_equal(text, "frame 80   25 fps");
+}
+
+/* The place follows the XDG standard, which ignores a path that is not absolute; folders are made, and where
+ * none can be made nothing happens. */
+static void test_remember(void **state) {
+    (void)state;
+    char *home = strdup(support_path("home")), wanted[600];
+    setenv("HOME", home, 1);
+    setenv("XDG_STATE_HOME", "relative", 1);
+    char *path = remember_path();
+    snprintf(wanted, sizeof wanted, "%s/.local/state/magichour/window.ini", home);
+    assert_string_equal(path, wanted);
+    assert_false(remember_exists(path));
+    remember_write(path, "text");
+    assert_true(remember_exists(path));
+    free(path);
+    setenv("XDG_STATE_HOME", wanted, 1);
+    path = remember_path();
+    remember_write(path, "text");
+    assert_false(remember_exists(path));
+    free(path);
+    unsetenv("HOME");
+    unsetenv("XDG_STATE_HOME");
+    assert_null(remember_path());
+    free(home);
+}
+
 enum { CELLS = METER_COLUMNS * METER_ROWS };
 
 static double reading_of(double light, double sun, int sun_cells, int black_cells) {
@@ -235,6 +282,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_orbit),    cmocka_unit_test(test_day_of_the_sun),
         cmocka_unit_test(test_carry),    cmocka_unit_test(test_meter),
         cmocka_unit_test(test_exposure), cmocka_unit_test(test_exposure_of_an_edit),
+        cmocka_unit_test(test_bar),      cmocka_unit_test(test_remember),
         cmocka_unit_test(test_help),     cmocka_unit_test(test_curve),
         cmocka_unit_test(test_words),
     };

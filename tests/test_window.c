@@ -151,6 +151,9 @@ static void test_panel(void **state) {
                  support_write("panel.glsl", PANEL));
     desktop_expect_rest(window, 16);
     double dark = brightness(400, 300, 100, 60);
+    desktop_do(window, "key n");
+    desktop_expect_number(window, "panel", 1, 1);
+    desktop_settle(window);
     find_grab(4, &x, &y);
     press_and_drag(x + 1, y + 4, x + 300, y + 4);
     desktop_expect_rest(window, 16);

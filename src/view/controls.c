@@ -119,7 +119,7 @@ void controls_event(Controls *controls, ViewState *state, const WindowEvent *eve
         on_key(controls, state, event, width);
         break;
     case WINDOW_TEXT:
-        if (state->prompting) keys_prompt_text(state, event->codepoint);
+        keys_text(state, event->codepoint);
         break;
     case WINDOW_BUTTON:
         on_button(controls, state, event, width);

@@ -67,6 +67,37 @@ void figures_side(const SideFigures *side, char *text, size_t size) {
              1e-6 * side->paths_per_second, error, *levels ? "\n" : "", levels);
 }
 
+/* What a Shadertoy program has: no error, and no sun. */
+static int bar_parts(const ViewFigures *figures, const Sun *sun, char parts[4][64]) {
+    const SideFigures *side = &figures->sides[0];
+    const size_t size = sizeof parts[0];
+    double fps = figures->frame_mean_s > 0 ? 1 / figures->frame_mean_s : 0;
+    snprintf(parts[3], size, "%.0f fps", fps);
+    if (!figures->scene) {
+        snprintf(parts[0], size, "frame %" PRIu64, side->samples);
+        memcpy(parts[1], parts[3], size);
+        return 2;
+    }
+    figures_progress(side, parts[0], size);
+    if (isfinite(side->error_percent))
+        snprintf(parts[1], size, "error %.2f %%", side->error_percent);
+    else
+        snprintf(parts[1], size, "error -");
+    snprintf(parts[2], size, "sun %.4g %.4g", sun->elevation_deg, sun->azimuth_deg);
+    return 4;
+}
+
+void figures_bar(const ViewFigures *figures, const Sun *sun, int most, char *text, size_t size) {
+    char parts[4][64];
+    int count = bar_parts(figures, sun, parts), length = 0;
+    *text = 0;
+    for (int i = 0; i < count; i++) {
+        int more = (int)strlen(parts[i]) + (i ? 3 : 0);
+        if (length + more > most || length + more >= (int)size) continue;
+        length += snprintf(text + length, size - (size_t)length, "%s%s", i ? "   " : "", parts[i]);
+    }
+}
+
 void figures_pixel(const PixelFigures *pixel, char *text, size_t size) {
     static const char *const places[] = {"", ", left side", ", right side"};
     char depth[32] = "none";

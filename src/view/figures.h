@@ -47,8 +47,8 @@ typedef struct PixelFigures {
 typedef struct ViewFigures {
     SideFigures sides[MOST_SIDES];
     PixelFigures pixel;
-    /* How long the last frame took. */
-    double frame_s;
+    /* How long the last frame took, and the last few in the mean. */
+    double frame_s, frame_mean_s;
     int width, height;
     /* Pixels per unit of the window's coordinates. */
     double scale;
@@ -76,6 +76,10 @@ void figures_levels(const SideFigures *side, char *text, size_t size);
 
 /* Prints progress, error, methods and speed of a side in three lines or four. */
 void figures_side(const SideFigures *side, char *text, size_t size);
+
+/* Prints "24 fps  80 samples in 2.2 s  1.04 %  sun 30 0", as far as it has no more than this number of
+ * characters. The less important is left out first. */
+void figures_bar(const ViewFigures *figures, const Sun *sun, int most, char *text, size_t size);
 
 /* Prints the figures of a pixel in five lines. */
 void figures_pixel(const PixelFigures *pixel, char *text, size_t size);

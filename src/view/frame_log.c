@@ -40,6 +40,9 @@ void frame_log(const FrameLog *frame, const ViewState *state, const ViewFigures 
     log_number("eye_x", state->scene.values.camera.eye[0]);
     log_number("eye_y", state->scene.values.camera.eye[1]);
     log_number("eye_z", state->scene.values.camera.eye[2]);
+    log_number("panel", state->panel_open);
+    log_number("help", state->help);
+    log_number("hint", state->hint);
     log_number("sides", state->split ? 2 : 1);
     log_number("picture", frame->pictures);
     log_number("prepared", side->prepared);

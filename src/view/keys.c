@@ -26,6 +26,8 @@ static const KeysHelp help[] = {
     {"I", "the pixel under the pointer"},
     {"P", "save what is shown as EXR and PNG"},
     {"Space, Z", "run, reset the scene's iTime"},
+    {"N", "open and close the panel"},
+    {"F1, ?", "this list of keys"},
     {"H, Esc", "hide the overlay, quit"},
 };
 
@@ -61,12 +63,19 @@ static void open_prompt(ViewState *state, int side) {
     state->prompt[0] = 0;
 }
 
-void keys_prompt_text(ViewState *state, unsigned codepoint) {
+static void type(ViewState *state, unsigned codepoint) {
     size_t length = strlen(state->prompt);
     bool known = codepoint < 128 && strchr("0123456789+-.,e ", (int)codepoint);
     if (!known || !codepoint || length + 1 >= sizeof state->prompt) return;
     state->prompt[length] = (char)codepoint;
     state->prompt[length + 1] = 0;
+}
+
+void keys_text(ViewState *state, unsigned codepoint) {
+    if (state->prompting)
+        type(state, codepoint);
+    else if (codepoint == '?')
+        state->help = !state->help;
 }
 
 void keys_prompt(ViewState *state, int key) {
@@ -201,8 +210,15 @@ void keys_pressed_once(ViewState *state, int key, int width) {
     case GLFW_KEY_H:
         state->overlay = !state->overlay;
         break;
+    case GLFW_KEY_N:
+        state->wishes.panel = true;
+        break;
+    case GLFW_KEY_F1:
+        state->help = !state->help;
+        break;
     case GLFW_KEY_ESCAPE:
-        state->wishes.quit = true;
+        state->wishes.quit = !state->help;
+        state->help = false;
         break;
     default:
         break;

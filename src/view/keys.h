@@ -17,7 +17,8 @@ void keys_pressed(ViewState *state, int key, bool shift, int width);
 /* Does what a key does once. */
 void keys_pressed_once(ViewState *state, int key, int width);
 
-/* For the prompt that reads the sun's place: a key that ends or corrects what is typed, and a character of
- * it. */
+/* A key that ends or corrects what is typed into the prompt for the sun's place. */
 void keys_prompt(ViewState *state, int key);
-void keys_prompt_text(ViewState *state, unsigned codepoint);
+
+/* A character: of the prompt if it is open, and else a key that has no place of its own on all keyboards. */
+void keys_text(ViewState *state, unsigned codepoint);

@@ -2,12 +2,18 @@
 
 #include "view/overlay_parts.hpp"
 
+extern "C" {
+#include "view/remember.h"
+}
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <string>
 #include <vector>
 
 struct Overlay {
@@ -17,10 +23,14 @@ struct Overlay {
     /* The keys that were pressed in this frame. */
     std::vector<int> pressed;
     bool laid_out;
-    /* Whether the panel is shown. */
-    bool panel;
-    /* The panel's place, from (x, y) to (z, w), in the window's coordinates. */
+    /* What takes the mouse: the panel and the list of keys. Their places are from (x, y) to (z, w), in the
+     * window's coordinates. */
+    std::vector<ImVec4> places;
     ImVec4 panel_place;
+    /* The file in which the panel's place is remembered, and what it has; empty if there is none. */
+    std::string memory, remembered;
+    /* Whether the hint for a first run was seen. Nothing is written before. */
+    bool seen;
 };
 
 /* Controls are pale, paler under the pointer, and amber where they are set. */
@@ -57,16 +67,40 @@ static void choose_font(float magnification, float scale) {
     ImGui::GetIO().FontGlobalScale = 1 / scale;
 }
 
-Overlay *overlay_create(Window *window, Error *error) {
+/* A first run is one that finds nothing remembered. */
+static void recall(Overlay *overlay, ViewState *state) {
+    char *path = remember_path();
+    if (!path) return;
+    overlay->memory = path;
+    overlay->seen = remember_exists(path);
+    state->hint = !overlay->seen;
+    if (overlay->seen) ImGui::LoadIniSettingsFromDisk(path);
+    free(path);
+}
+
+static void remember(Overlay *overlay) {
+    std::string now = ImGui::SaveIniSettingsToMemory(nullptr);
+    ImGui::GetIO().WantSaveIniSettings = false;
+    if (!overlay->seen || overlay->memory.empty() || now == overlay->remembered) return;
+    remember_write(overlay->memory.c_str(), now.c_str());
+    overlay->remembered = now;
+}
+
+Overlay *overlay_create(Window *window, ViewState *state, Error *error) {
     ImGui::CreateContext();
+    /* What is remembered is written here and not by ImGui, which makes no folders. */
     ImGui::GetIO().IniFilename = nullptr;
+    ImGui::GetIO().IniSavingRate = 1;
     float magnification = (float)window_magnification(window);
     choose_colors();
     choose_sizes(magnification);
     choose_font(magnification, (float)window->scale);
     bool windowed = ImGui_ImplGlfw_InitForOpenGL(window->handle, false);
-    if (windowed && ImGui_ImplOpenGL3_Init("#version 330 core"))
-        return new Overlay{window, {}, {}, false, false, {}};
+    if (windowed && ImGui_ImplOpenGL3_Init("#version 330 core")) {
+        Overlay *overlay = new Overlay{window, {}, {}, false, {}, {}, {}, {}, false};
+        recall(overlay, state);
+        return overlay;
+    }
     if (windowed) ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
     error_set(error, STATUS_FAILURE, "the overlay cannot be drawn on this OpenGL");
@@ -75,6 +109,7 @@ Overlay *overlay_create(Window *window, Error *error) {
 
 void overlay_destroy(Overlay *overlay) {
     if (!overlay) return;
+    remember(overlay);
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
@@ -132,18 +167,27 @@ static bool closes_list(const WindowEvent &event) {
 
 /* ImGui's answer is about the pointer of the last frame, and a quick hand has moved it since. */
 static bool takes_mouse(const Overlay *overlay, const WindowEvent &event) {
-    if (!overlay->panel) return false;
-    const ImVec4 &place = overlay->panel_place;
     ImVec2 pointer = ImGui::GetIO().MousePos;
     if (event.kind == WINDOW_BUTTON)
         pointer =
             ImVec2((float)(event.x / overlay->window->scale), (float)(event.y / overlay->window->scale));
-    bool inside = pointer.x >= place.x && pointer.x < place.z && pointer.y >= place.y && pointer.y < place.w;
+    bool inside = false;
+    for (const ImVec4 &place : overlay->places) inside |= overlay_inside(place, pointer);
     return inside || (list_is_open() && ImGui::GetIO().WantCaptureMouse);
 }
 
-bool overlay_event(Overlay *overlay, const WindowEvent *event, bool panel) {
-    overlay->panel &= panel;
+/* A hint is read at leisure, and goes with the first thing that the user does but to move the pointer. */
+static void end_hint(Overlay *overlay, ViewState *state, const WindowEvent &event) {
+    bool does = event.kind == WINDOW_KEY || event.kind == WINDOW_BUTTON || event.kind == WINDOW_SCROLL;
+    if (!state->hint || !does) return;
+    state->hint = false;
+    overlay->seen = true;
+    remember(overlay);
+}
+
+bool overlay_event(Overlay *overlay, const WindowEvent *event, ViewState *state) {
+    if (!state->overlay) overlay->places.clear();
+    end_hint(overlay, state, *event);
     const ImGuiIO &io = ImGui::GetIO();
     if (too_quick(overlay, *event))
         overlay->postponed.push_back(*event);
@@ -160,15 +204,19 @@ bool overlay_event(Overlay *overlay, const WindowEvent *event, bool panel) {
 static void lay_out(Overlay *overlay, ViewState *state, const ViewFigures *figures) {
     float floor = ImGui::GetIO().DisplaySize.y - em(overlay_margin);
     bool two = state->split && figures->scene;
+    overlay->places.clear();
     if (state->overlay) floor = overlay_notice(state, floor);
     if (state->prompting) floor = overlay_prompt(state, floor);
     floor = overlay_progress(state, figures, floor);
+    if (state->overlay && state->hint) floor = overlay_hint(floor);
+    if (state->help) overlay->places.push_back(overlay_help(state));
     if (!state->overlay) return;
     if (two) floor = overlay_sides(state, figures, floor);
     if (two && state->difference) overlay_range(state);
     if (two && !state->difference) overlay_divider(state);
-    overlay->panel_place = overlay_panel(state, figures, floor);
-    if (state->inspect) overlay_pixel(figures, overlay->panel_place);
+    overlay->panel_place = overlay_panel(state, figures, floor, overlay->panel_place.y);
+    overlay->places.push_back(overlay->panel_place);
+    if (state->inspect) overlay_pixel(figures, overlay->places);
 }
 
 void overlay_build(Overlay *overlay, ViewState *state, const ViewFigures *figures) {
@@ -177,8 +225,8 @@ void overlay_build(Overlay *overlay, ViewState *state, const ViewFigures *figure
     ImGui::NewFrame();
     lay_out(overlay, state, figures);
     ImGui::Render();
+    if (ImGui::GetIO().WantSaveIniSettings) remember(overlay);
     overlay->laid_out = true;
-    overlay->panel = state->overlay;
     overlay->pressed.clear();
     for (const WindowEvent &event : overlay->postponed) tell(overlay, event);
     overlay->postponed.clear();

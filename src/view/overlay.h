@@ -11,13 +11,14 @@ extern "C" {
 
 typedef struct Overlay Overlay;
 
-/* Returns NULL and STATUS_FAILURE if ImGui cannot draw with this OpenGL. */
-Overlay *overlay_create(Window *window, Error *error);
+/* The panel stands where it was left, and `state` says whether a hint for a first run is due. What is to be
+ * remembered is written when it has changed (view/remember.h). Returns NULL and STATUS_FAILURE if ImGui
+ * cannot draw with this OpenGL. */
+Overlay *overlay_create(Window *window, ViewState *state, Error *error);
 void overlay_destroy(Overlay *overlay);
 
-/* Passes an event to the overlay. Returns whether the event was for the panel alone. `panel` says whether the
- * panel is shown. */
-bool overlay_event(Overlay *overlay, const WindowEvent *event, bool panel);
+/* Passes an event to the overlay. Returns whether the event was for the panel or the list of keys alone. */
+bool overlay_event(Overlay *overlay, const WindowEvent *event, ViewState *state);
 
 /* Lays out the panel for this frame. What the user does there changes `state`. */
 void overlay_build(Overlay *overlay, ViewState *state, const ViewFigures *figures);

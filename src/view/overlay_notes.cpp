@@ -4,7 +4,8 @@
 #include <cstdio>
 
 static const ImGuiWindowFlags note_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                                           ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
+                                           ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
+                                           ImGuiWindowFlags_NoSavedSettings;
 
 static ImVec2 note_size(const char *text, float most_width) {
     ImVec2 padding = ImGui::GetStyle().WindowPadding;
@@ -29,12 +30,13 @@ static float note(const char *name, float x, float floor, const ImVec4 &color, c
 }
 
 /* The note has a fixed width, because ImGui would adapt it one frame late. */
-void overlay_pixel(const ViewFigures *figures, const ImVec4 &panel) {
+void overlay_pixel(const ViewFigures *figures, const std::vector<ImVec4> &places) {
     char text[320];
     ImVec2 pointer = ImGui::GetIO().MousePos;
-    bool over_panel =
-        pointer.x >= panel.x && pointer.x < panel.z && pointer.y >= panel.y && pointer.y < panel.w;
-    if (!figures->pixel.known || over_panel) return;
+    for (const ImVec4 &place : places) {
+        if (overlay_inside(place, pointer)) return;
+    }
+    if (!figures->pixel.known) return;
     figures_pixel(&figures->pixel, text, sizeof text);
     ImGui::BeginTooltip();
     ImGui::Dummy(ImVec2(em(20), 0));
@@ -107,6 +109,14 @@ float overlay_prompt(const ViewState *state, float floor) {
     snprintf(text, sizeof text, "%ssun's elevation [azimuth], degrees: %s_", side, state->prompt);
     float width = ImGui::GetIO().DisplaySize.x, free = width - note_size(text, width).x;
     return note("prompt", std::fmax(free / 2, em(overlay_margin)), floor, white, text);
+}
+
+float overlay_hint(float floor) {
+    const char *text = "Drag with the right mouse button to move the sun, with the left one to look around.\n"
+                       "Press Enter and type an elevation to set the sun: -4 is a night.\n"
+                       "F1 or ? lists the keys, and N opens and closes the panel.";
+    float width = ImGui::GetIO().DisplaySize.x, free = width - note_size(text, width).x;
+    return note("hint", std::fmax(free / 2, em(overlay_margin)), floor, white, text);
 }
 
 float overlay_progress(const ViewState *state, const ViewFigures *figures, float floor) {

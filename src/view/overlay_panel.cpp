@@ -2,7 +2,6 @@
 
 extern "C" {
 #include "choice/method.h"
-#include "view/keys.h"
 }
 
 #include <algorithm>
@@ -179,18 +178,6 @@ static void split_section(ViewState *state, const ViewFigures *figures) {
     ImGui::PopID();
 }
 
-static void help_section() {
-    if (!ImGui::CollapsingHeader("keys")) return;
-    ImGui::PushTextWrapPos(em(panel_width) + ImGui::GetStyle().WindowPadding.x);
-    for (int i = 0; keys_help(i); i++) {
-        ImGui::TextColored(amber, "%s", keys_help(i)->keys);
-        ImGui::Indent();
-        ImGui::TextWrapped("%s", keys_help(i)->what);
-        ImGui::Unindent();
-    }
-    ImGui::PopTextWrapPos();
-}
-
 static void scene_panel(ViewState *state, const ViewFigures *figures) {
     sun_section(state);
     if (state->scene.file->preset_count && ImGui::CollapsingHeader("presets", ImGuiTreeNodeFlags_DefaultOpen))
@@ -218,7 +205,8 @@ static void panel_content(ViewState *state, const ViewFigures *figures) {
         ImGui::Text("frame %llu, %.2f s", (unsigned long long)figures->sides[0].samples,
                     state->clock_seconds);
     }
-    help_section();
+    if (ImGui::Button("keys")) state->help = true;
+    ImGui::SameLine();
     ImGui::TextColored(grey, "%dx%d, %.0f ms a frame", figures->width, figures->height,
                        1e3 * figures->frame_s);
     ImGui::PushTextWrapPos(em(panel_width));
@@ -227,18 +215,32 @@ static void panel_content(ViewState *state, const ViewFigures *figures) {
     ImGui::PopItemWidth();
 }
 
-/* The panel starts rolled up if it would hide the picture. */
-ImVec4 overlay_panel(ViewState *state, const ViewFigures *figures, float floor) {
+/* The title of an open panel, and the figures that stand in its place when it is closed. */
+static std::string title(const ViewState *state, const ViewFigures *figures, float widest) {
+    char bar[200];
+    if (state->panel_open) return panel_title(state);
+    int most = (int)((widest - em(3)) / ImGui::CalcTextSize("0").x);
+    figures_bar(figures, &state->scene.values.sun, most, bar, sizeof bar);
+    return bar;
+}
+
+/* The panel is closed at first if it would hide a quarter of the picture. */
+ImVec4 overlay_panel(ViewState *state, const ViewFigures *figures, float floor, float top) {
     ImVec2 display = ImGui::GetIO().DisplaySize;
     float widest = display.x - em(2 * overlay_margin),
-          lowest = std::fmax(floor - em(2 * overlay_margin), em(3));
-    char name[160];
-    snprintf(name, sizeof name, "%s###panel", panel_title(state));
+          highest = std::fmax(floor - std::fmax(top, em(overlay_margin)), em(8));
+    std::string text = title(state, figures, widest), name = text + "###panel";
+    float bar = std::fmin(ImGui::CalcTextSize(text.c_str()).x + em(3), widest),
+          width = state->panel_open ? std::fmin(em(panel_width), widest) : bar;
     ImGui::SetNextWindowPos(ImVec2(em(overlay_margin), em(overlay_margin)), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowCollapsed(display.x < em(35) || display.y < em(18), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSizeConstraints(ImVec2(std::fmin(em(panel_width), widest), 0),
-                                        ImVec2(widest, lowest));
-    if (ImGui::Begin(name, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) panel_content(state, figures);
+    ImGui::SetNextWindowCollapsed(display.x < 4 * em(panel_width) || display.y < em(18),
+                                  ImGuiCond_FirstUseEver);
+    if (state->wishes.panel) ImGui::SetNextWindowCollapsed(state->panel_open);
+    state->wishes.panel = false;
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0),
+                                        ImVec2(state->panel_open ? widest : width, highest));
+    state->panel_open = ImGui::Begin(name.c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+    if (state->panel_open) panel_content(state, figures);
     ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     ImGui::End();
     return ImVec4(corner.x, corner.y, corner.x + size.x, corner.y + size.y);

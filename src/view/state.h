@@ -28,7 +28,9 @@ typedef struct Notice {
 
 /* Wishes that are fulfilled once, at the next frame. */
 typedef struct Wishes {
-    bool quit, save, copy, reload;
+    bool quit, save, copy;
+    /* To open the panel or to close it. */
+    bool panel;
 } Wishes;
 
 typedef struct ViewState {
@@ -52,6 +54,10 @@ typedef struct ViewState {
     bool difference;
     double difference_percent;
     bool overlay, inspect;
+    /* Whether the panel is open, as the overlay says. A closed panel is a bar of figures. */
+    bool panel_open;
+    /* Whether the list of keys is shown, and whether the hint for a first run is. */
+    bool help, hint;
     /* Whether a day is played. */
     bool playing;
     Day day;

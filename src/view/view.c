@@ -122,7 +122,7 @@ static void hear(View *view, double wait_s) {
     if (window->event_count || window->exposed) view->linger = 3;
     for (int i = 0; i < window->event_count; i++) {
         const WindowEvent *event = &window->events[i];
-        if (!overlay_event(view->overlay, event, view->state.overlay))
+        if (!overlay_event(view->overlay, event, &view->state))
             controls_event(&view->controls, &view->state, event, window->width, window->height);
     }
     window->event_count = 0;
@@ -133,6 +133,7 @@ static bool present(View *view, Error *error) {
     if (!show(view, error)) return false;
     double now = clock_seconds();
     view->figures.frame_s = now - view->shown;
+    view->figures.frame_mean_s += 0.2 * (view->figures.frame_s - view->figures.frame_mean_s);
     const FrameLog frame = {.number = view->frames,
                             .pictures = view->picture.pictures,
                             .width = view->window.width,
@@ -208,7 +209,7 @@ static bool open_window(View *view, Error *error) {
     }
     set_title(view);
     view->figures.scale = view->window.scale;
-    view->overlay = overlay_create(&view->window, error);
+    view->overlay = overlay_create(&view->window, &view->state, error);
     return view->overlay && display_create(&view->display, &view->window.context, params->library, error) &&
            meter_create(&view->meter, &view->window.context, error) &&
            picture_create(&view->picture, params, &view->window.context, &view->state, error);
