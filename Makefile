@@ -116,15 +116,18 @@ compile_commands.json:
 		printf "%s\n{\"directory\": \"%s\", \"file\": \"%s\", \"command\": \"%s\"}", n++ ? "," : "[", folder, $$NF, $$0 } \
 		END { print "\n]" }' > $@
 
-# The manual page, made from the table of options.
+# The manual page and the shells' completions, made from the table of options.
+COMPLETIONS := $(addprefix $(BUILD)/magichour.,bash zsh fish)
 man: $(BUILD)/magichour.1
+$(COMPLETIONS): $(BUILD)/magichour
+	$< help --completion $(subst .,,$(suffix $@)) > $@
 
 $(BUILD)/magichour.1: $(BUILD)/magichour
 	$< help --man > $@
 
 # Where the program goes: PREFIX, in front of it DESTDIR if that is given.
 export PREFIX DESTDIR
-install: all man
+install: all man $(COMPLETIONS)
 	@tools/install.sh install $(BUILD)
 
 uninstall:

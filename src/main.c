@@ -1,6 +1,9 @@
 #include "base/version.h"
 #include "cmd/cmd.h"
+#include "cmd/complete.h"
+#include "cmd/completion_scripts.h"
 #include "cmd/help.h"
+#include "cmd/manual.h"
 #include "cmd/options_check.h"
 #include "cmd/options_parse.h"
 #include "cmd/terminal.h"
@@ -15,8 +18,10 @@ static Status answer(const Options *options) {
     Text text = {0};
     if (options->version)
         text_print(&text, "magichour " MAGICHOUR_VERSION "\n");
+    else if (options->completion)
+        text_print(&text, "%s", completion_script(options->completion));
     else if (options->manual)
-        help_print_manual(&text);
+        manual_print(&text);
     else
         help_print(options->command, terminal_columns(STDOUT_FILENO), &text);
     fputs(text_string(&text), stdout);
@@ -50,6 +55,15 @@ static Status run(const Options *options, int argc, char **argv, Error *error) {
     return STATUS_USAGE;
 }
 
+/* What the shells' completion scripts ask for. */
+static int complete(int count, char **words) {
+    Text text = {0};
+    complete_print(count, words, &text);
+    fputs(text_string(&text), stdout);
+    text_free(&text);
+    return STATUS_DONE;
+}
+
 /* Whether what was printed is lost. Then errno is the reason, or 0. */
 static bool output_failed(void) {
     errno = 0;
@@ -66,6 +80,7 @@ int main(int argc, char **argv) {
     Options options;
     Error error = {0};
     Status status;
+    if (argc > 2 && strcmp(argv[1], COMPLETE_WORD) == 0) return complete(argc - 2, argv + 2);
     if (!options_parse(&options, argc, argv, &error)) {
         status = error.status;
     } else if (options.help || options.version) {

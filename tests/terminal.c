@@ -3,11 +3,14 @@
 
 #include "support.h"
 
+#include "base/clock.h"
+
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <time.h>
 #include <unistd.h>
 
 void terminal_open(Terminal *terminal, int columns) {
@@ -36,6 +39,20 @@ size_t terminal_read(const Terminal *terminal, char *text, size_t size) {
         length += (size_t)got;
     text[length] = 0;
     return length;
+}
+
+void terminal_type(const Terminal *terminal, const char *keys) {
+    assert_int_equal(write(terminal->master, keys, strlen(keys)), strlen(keys));
+}
+
+bool terminal_await(const Terminal *terminal, const char *words, double seconds, char *text, size_t size) {
+    size_t length = 0;
+    for (double end = clock_seconds() + seconds; clock_seconds() < end;) {
+        length += terminal_read(terminal, text + length, size - length);
+        if (strstr(text, words)) return true;
+        nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
+    }
+    return false;
 }
 
 void terminal_close(Terminal *terminal) {

@@ -95,7 +95,9 @@ static void test_install(void **state) {
     make("install");
     expect("test -z \"$(find \"$root\" -not -perm -o=r -o -type d -not -perm -o=x)\"");
     expect("test -z \"$(find \"$root\" -perm -o=w)\"");
-    expect("cd \"$root/opt/a b/share\" && test -s man/man1/magichour.1 && test -s doc/magichour/LICENSE && "
+    expect("cd \"$root/opt/a b/share\" && test -s man/man1/magichour.1 && "
+           "bash -n bash-completion/completions/magichour && test -s zsh/site-functions/_magichour && "
+           "test -s fish/vendor_completions.d/magichour.fish && test -s doc/magichour/LICENSE && "
            "test ! -e magichour/scenes/gallery");
     make("uninstall");
     expect_nothing_left();

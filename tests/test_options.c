@@ -2,11 +2,13 @@
 #include "support.h"
 
 #include "cmd/help.h"
+#include "cmd/manual.h"
 #include "cmd/option_table.h"
 #include "cmd/options_parse.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Parses a command line of words between blanks. */
@@ -284,7 +286,7 @@ static void test_help_groups(void **state) {
 static void test_manual(void **state) {
     (void)state;
     Text text = {0};
-    help_print_manual(&text);
+    manual_print(&text);
     assert_int_equal(strncmp(text.data, ".TH MAGICHOUR 1 ", 16), 0);
     assert_non_null(
         strstr(text.data, "\n.B \\-\\-size WxH\npicture size in pixels; 256x256 by default\n(chart)\n"));
@@ -293,6 +295,36 @@ static void test_manual(void **state) {
     for (const char *line = text.data; (line = strstr(line, "\n.")); line++)
         assert_true(strncmp(line + 2, "S", 1) == 0 || strncmp(line + 2, "TP\n", 3) == 0 ||
                     strncmp(line + 2, "B ", 2) == 0 || strncmp(line + 2, "I ", 2) == 0);
+    static const char *const sections[] = {"NAME",        "SYNOPSIS",    "COMMANDS", "OPTIONS",
+                                           "EXIT STATUS", "ENVIRONMENT", "FILES",    "EXAMPLES"};
+    const char *at = text.data;
+    for (size_t i = 0; i < sizeof sections / sizeof *sections; i++) {
+        char heading[40];
+        snprintf(heading, sizeof heading, "\n.SH %s\n", sections[i]);
+        at = strstr(at, heading);
+        if (!at) fail_msg("no %s in its place", sections[i]);
+    }
+    for (int group = 0; group < OPTION_GROUPS; group++) {
+        char heading[40];
+        snprintf(heading, sizeof heading, "\n.SS %s\n.TP\n", option_group_names[group]);
+        assert_non_null(strstr(text.data, heading));
+    }
+    text_free(&text);
+}
+
+/* mandoc finds nothing to complain about. The page has no date, as it is made again from the same text. */
+static void test_manual_lint(void **state) {
+    (void)state;
+    Text text = {0};
+    char command[512];
+    if (system("command -v mandoc >/dev/null 2>&1") != 0) {
+        print_message("mandoc is not installed: the manual page is not checked by it\n");
+        skip();
+    }
+    manual_print(&text);
+    snprintf(command, sizeof command, "mandoc -Tlint '%s' | grep -v 'missing date'",
+             support_write("magichour.1", text.data));
+    assert_int_equal(WEXITSTATUS(system(command)), 1);
     text_free(&text);
 }
 
@@ -316,7 +348,7 @@ int main(void) {
         cmocka_unit_test(test_sun_disk_forms), cmocka_unit_test(test_options_refused),
         cmocka_unit_test(test_help_asked),     cmocka_unit_test(test_help),
         cmocka_unit_test(test_help_groups),    cmocka_unit_test(test_manual),
-        cmocka_unit_test(test_help_run),
+        cmocka_unit_test(test_manual_lint),    cmocka_unit_test(test_help_run),
     };
     return cmocka_run_group_tests_name("options", tests, support_folder, support_clean);
 }

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs the program, or removes what was installed: tools/install.sh install|uninstall BUILD
-# BUILD is the folder of the built program and its manual page. The environment may give PREFIX (/usr/local) and DESTDIR, the
+# BUILD is the folder of the built program, its manual page and its completions. The environment may give PREFIX (/usr/local) and DESTDIR, the
 # folder of a package, which is put in front of all paths.
 #
 # What is installed can be read by everybody, whatever the umask is. Its list is PREFIX/share/magichour/installed: files, and
@@ -19,6 +19,9 @@ list=share/magichour/installed
 plan() {
     printf '755\t%s\tbin/magichour\n' "$build/magichour"
     printf '644\t%s\tshare/man/man1/magichour.1\n' "$build/magichour.1"
+    printf '644\t%s\tshare/bash-completion/completions/magichour\n' "$build/magichour.bash"
+    printf '644\t%s\tshare/zsh/site-functions/_magichour\n' "$build/magichour.zsh"
+    printf '644\t%s\tshare/fish/vendor_completions.d/magichour.fish\n' "$build/magichour.fish"
     for file in LICENSE README.md CHANGES.md; do printf '644\t%s\tshare/doc/magichour/%s\n' $file $file; done
     find glsl scenes -name gallery -prune -o -type f \( -name '*.glsl' -o -name '*.csv' -o -name 'README.md' \) -print | sort |
         while read -r file; do printf '644\t%s\tshare/magichour/%s\n' "$file" "$file"; done

@@ -1,18 +1,15 @@
 #include "cmd/help.h"
+#include "cmd/help_words.h"
 
-#include "base/version.h"
 #include "choice/method.h"
 #include "cmd/option_table.h"
 
 #include <stdio.h>
 #include <string.h>
 
-static const char program_about[] = "a progressive renderer for small scenes under a physical sky";
+const char help_about[] = "a progressive renderer for small scenes under a physical sky";
 
-static const struct {
-    Status status;
-    const char *meaning;
-} statuses[] = {
+static const HelpStatus statuses[] = {
     {STATUS_DONE, "done"},
     {STATUS_FAILURE, "failure while running"},
     {STATUS_USAGE, "wrong command line"},
@@ -24,6 +21,10 @@ static const struct {
     {STATUS_INTERRUPTED, "interrupted, with the picture saved"},
 };
 enum { STATUSES = sizeof statuses / sizeof *statuses };
+
+const HelpStatus *help_status(int index) {
+    return index >= 0 && index < STATUSES ? &statuses[index] : NULL;
+}
 
 /* Prints words in lines that end before column `columns`. The first word is at column `column`, and further
  * lines begin at column `indent`. */
@@ -56,14 +57,12 @@ static void print_row(const char *left, int indent, const char *right, int colum
     print_wrapped(right, indent, indent, columns, out);
 }
 
-/* Prints such as "--size WxH", "--sun-disk[=METHOD]" or "-h, --help". */
-static void option_words(const OptionRow *row, char *words, size_t size) {
+void help_option_words(const OptionRow *row, char *words, size_t size) {
     snprintf(words, size, "%s%s%s%s%s", row->alias ? row->alias : "", row->alias ? ", " : "", row->name,
              row->argument && row->argument[0] != '[' ? " " : "", row->argument ? row->argument : "");
 }
 
-/* Prints what an option does. For an option that takes a method it adds the methods and what auto chooses. */
-static void print_option_help(const OptionRow *row, Text *out) {
+void help_option_text(const OptionRow *row, Text *out) {
     text_print(out, "%s", row->help);
     for (int family = 0; family < METHOD_FAMILIES; family++) {
         const MethodFamilyRow *methods = method_family((MethodFamily)family);
@@ -81,7 +80,7 @@ static void print_option_help(const OptionRow *row, Text *out) {
 
 static void print_program(int columns, Text *out) {
     text_print(out, "magichour: ");
-    print_wrapped(program_about, 11, 0, columns, out);
+    print_wrapped(help_about, 11, 0, columns, out);
     text_print(out, "\nmagichour COMMAND [options]\n");
     for (int i = 0; i < command_table_size; i++)
         print_row(command_table[i].name, 12, command_table[i].about, columns, out);
@@ -100,9 +99,9 @@ static void print_group(Command command, OptionGroup group, int columns, Text *o
         if (row->group != group || !(row->commands & (int)command)) continue;
         if (!named) text_print(out, "\n%s\n", option_group_names[group]);
         named = true;
-        option_words(row, left, sizeof left);
+        help_option_words(row, left, sizeof left);
         Text help = {0};
-        print_option_help(row, &help);
+        help_option_text(row, &help);
         print_row(left, columns < 72 ? 8 : 26, text_string(&help), columns, out);
         text_free(&help);
     }
@@ -119,61 +118,4 @@ void help_print(Command command, int columns, Text *out) {
     print_wrapped(row->about, 0, 0, columns, out);
     for (int group = 0; group < OPTION_GROUPS; group++)
         print_group(command, (OptionGroup)group, columns, out);
-}
-
-/* Prints words for man(7): hyphens are escaped, and no line starts with a macro. */
-static void print_manual_words(const char *words, Text *out) {
-    for (const char *c = words; *c; c++) {
-        if (*c == '-')
-            text_print(out, "\\-");
-        else if (*c == '\\')
-            text_print(out, "\\e");
-        else if ((*c == '.' || *c == '\'') && (c == words || c[-1] == '\n'))
-            text_print(out, "\\&%c", *c);
-        else
-            text_append(out, c, 1);
-    }
-}
-
-static void print_manual_option(const OptionRow *row, Text *out) {
-    char words[40];
-    option_words(row, words, sizeof words);
-    text_print(out, ".TP\n.B ");
-    print_manual_words(words, out);
-    text_print(out, "\n");
-    Text help = {0};
-    print_option_help(row, &help);
-    print_manual_words(text_string(&help), out);
-    text_free(&help);
-    text_print(out, "\n(");
-    bool first = true;
-    for (int i = 0; i < command_table_size; i++) {
-        if (!(row->commands & (int)command_table[i].command)) continue;
-        text_print(out, "%s%s", first ? "" : ", ", command_table[i].name);
-        first = false;
-    }
-    text_print(out, ")\n");
-}
-
-void help_print_manual(Text *out) {
-    text_print(out, ".TH MAGICHOUR 1 \"\" \"magichour " MAGICHOUR_VERSION "\"\n.SH NAME\nmagichour \\- ");
-    print_manual_words(program_about, out);
-    text_print(out, "\n.SH SYNOPSIS\n.B magichour\n.I COMMAND\n[options]\n.SH COMMANDS\n");
-    for (int i = 0; i < command_table_size; i++) {
-        text_print(out, ".TP\n.B magichour ");
-        print_manual_words(command_table[i].usage, out);
-        text_print(out, "\n");
-        print_manual_words(command_table[i].about, out);
-        text_print(out, "\n");
-    }
-    text_print(out, ".SH OPTIONS\nThe commands that take an option stand below it, in parentheses.\n");
-    for (int group = 0; group < OPTION_GROUPS; group++) {
-        text_print(out, ".SS %s\n", option_group_names[group]);
-        for (int i = 0; i < option_table_size; i++) {
-            if (option_table[i].group == (OptionGroup)group) print_manual_option(&option_table[i], out);
-        }
-    }
-    text_print(out, ".SH EXIT STATUS\n");
-    for (int i = 0; i < STATUSES; i++)
-        text_print(out, ".TP\n.B %d\n%s\n", statuses[i].status, statuses[i].meaning);
 }

@@ -1,4 +1,4 @@
-/* The help and the manual page, which are made from the table of options. */
+/* The help, which is made from the table of options. */
 #pragma once
 
 #include "base/text.h"
@@ -7,6 +7,3 @@
 /* Writes the help of a command, or of the program for COMMAND_NONE, in lines of at most `columns` characters
  * (48 or more). */
 void help_print(Command command, int columns, Text *out);
-
-/* Writes the manual page magichour(1) in the macros of man(7). */
-void help_print_manual(Text *out);

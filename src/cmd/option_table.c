@@ -1,5 +1,7 @@
 #include "cmd/option_table.h"
 
+#include <string.h>
+
 const CommandRow command_table[] = {
     {COMMAND_RENDER, "render", "render SCENE -o FILE [options]", "render a scene offscreen", 1, 1},
     {COMMAND_VIEW, "view", "view SCENE [options]", "a window: move the sun and the camera, edit the scene", 1,
@@ -36,24 +38,27 @@ enum {
     ALL = R | V | C | I | F | S | H | E | COMMAND_HELP | COMMAND_VERSION
 };
 
-/* These are a row's kind, function and offset. */
-#define TAKE(function) OPTION_TAKE, function, 0
-#define STRING(member) OPTION_STRING, NULL, offsetof(Options, member)
-#define OPTIONAL(member) OPTION_OPTIONAL, NULL, offsetof(Options, member)
-#define SWITCH(member) OPTION_SWITCH, NULL, offsetof(Options, member)
-#define FLAG(member) OPTION_FLAG, NULL, offsetof(Options, member)
+/* These are a row's kind, function, offset and words. */
+#define TAKE(function) OPTION_TAKE, function, 0, NULL
+#define STRING(member) OPTION_STRING, NULL, offsetof(Options, member), NULL
+#define WORD(member, words) OPTION_WORD, NULL, offsetof(Options, member), words
+#define LIST(member, words) OPTION_STRING, NULL, offsetof(Options, member), words
+#define OPTIONAL(member) OPTION_OPTIONAL, NULL, offsetof(Options, member), NULL
+#define SWITCH(member) OPTION_SWITCH, NULL, offsetof(Options, member), NULL
+#define FLAG(member) OPTION_FLAG, NULL, offsetof(Options, member), NULL
 
 const OptionRow option_table[] = {
     {GROUP_OUTPUT, "-o", "FILE", R | S, TAKE(take_output),
      "write the picture: .exr, .png or .pfm; - is standard output; may be repeated", "--output"},
-    {GROUP_OUTPUT, "--format", "FORMAT", R | S, TAKE(take_format),
+    {GROUP_OUTPUT, "--format", "FORMAT", R | S, WORD(format, "exr,png,pfm"),
      "exr, png or pfm: the format of an -o that names none, such as -, and of a single -o whatever its "
      "ending",
      NULL},
     {GROUP_OUTPUT, "-o", "FILE", C, TAKE(take_output),
      "write the difference in false colours, with its scale: .png; - is standard output; may be repeated",
      "--output"},
-    {GROUP_OUTPUT, "--format", "FORMAT", C, TAKE(take_format), "png, the only format of false colours", NULL},
+    {GROUP_OUTPUT, "--format", "FORMAT", C, WORD(format, "png"), "png, the only format of false colours",
+     NULL},
     {GROUP_OUTPUT, "--side-by-side", "FILE", C, STRING(side_by_side),
      "write A, B and the difference beside each other: .png", NULL},
     {GROUP_OUTPUT, "-o", "DIR", H, TAKE(take_output),
@@ -64,14 +69,14 @@ const OptionRow option_table[] = {
      "picture size in pixels; the scene's by default", NULL},
     {GROUP_OUTPUT, "--exposure", "EV", R | V | S, TAKE(take_exposure),
      "for .png: radiance times 2^EV; the scene's by default", NULL},
-    {GROUP_OUTPUT, "--tone", "CURVE", R | S, TAKE(take_tone), "for .png: author or none; author by default",
-     NULL},
+    {GROUP_OUTPUT, "--tone", "CURVE", R | S, WORD(tone, "author,none"),
+     "for .png: author or none; author by default", NULL},
     {GROUP_OUTPUT, "--exposure", "EV", C, TAKE(take_exposure),
      "for levels: radiance times 2^EV; by default that of B's metadata (of A's if only A is a PNG), or 0",
      NULL},
-    {GROUP_OUTPUT, "--tone", "CURVE", C, TAKE(take_tone), "for levels: author or none; author by default",
-     NULL},
-    {GROUP_OUTPUT, "--aov", "LIST", R, STRING(aov),
+    {GROUP_OUTPUT, "--tone", "CURVE", C, WORD(tone, "author,none"),
+     "for levels: author or none; author by default", NULL},
+    {GROUP_OUTPUT, "--aov", "LIST", R, LIST(aov, "albedo,normal,depth,samples,variance"),
      "layers of .exr, some of albedo,normal,depth,samples,variance", NULL},
     {GROUP_OUTPUT, "--record", "DIR", V, STRING(record),
      "play a day into DIR/frame-00001.png ..., 64 samples each if --spp is not given", NULL},
@@ -81,7 +86,8 @@ const OptionRow option_table[] = {
      "for --at: radiances of wavelengths in nm (400,550 or 360:830:10; those of atmosphere.spectrum if not "
      "given), W m-2 sr-1 nm-1, in place of R,G,B",
      NULL},
-    {GROUP_OUTPUT, "--charts", "LIST", H, STRING(charts), "some of paths,sky,scale; all by default", NULL},
+    {GROUP_OUTPUT, "--charts", "LIST", H, LIST(charts, "paths,sky,scale"),
+     "some of paths,sky,scale; all by default", NULL},
     {GROUP_OUTPUT, "--all", NULL, F, FLAG(all),
      "every program of a picture, in the order in which they are drawn, each after a line with its name",
      NULL},
@@ -152,12 +158,14 @@ const OptionRow option_table[] = {
     {GROUP_OTHER, "--backend", "NAME", R | I | S | H | E, STRING(backend), "auto, egl, osmesa or glfw", NULL},
     {GROUP_OTHER, "--glsl-dir", "DIR", R | V | I | F | S | H | E, STRING(glsl_dir),
      "the GLSL library, in place of the one beside the program", NULL},
-    {GROUP_OTHER, "--progress", "KIND", R | V | H | E, TAKE(take_progress),
+    {GROUP_OTHER, "--progress", "KIND", R | V | H | E, WORD(progress, "tty,json,none"),
      "tty, json or none; tty on a terminal, else none (view: json or none)", NULL},
     {GROUP_OTHER, "--quiet", NULL, C, FLAG(quiet), "print nothing: only the exit status", NULL},
     {GROUP_OTHER, "--quiet", NULL, R | S | H | E, FLAG(quiet), "no summary, no progress", NULL},
     {GROUP_OTHER, "-v", NULL, R, FLAG(verbose), "say what is chosen and why", NULL},
     {GROUP_OTHER, "--man", NULL, COMMAND_HELP, FLAG(manual), "all of this as a manual page", NULL},
+    {GROUP_OTHER, "--completion", "SHELL", COMMAND_HELP, WORD(completion, "bash,zsh,fish"),
+     "a script for this shell that completes commands, options and their words", NULL},
     {GROUP_OTHER, "--help", NULL, ALL, FLAG(help), "this text", "-h"},
     {GROUP_OTHER, "--version", NULL, ALL, FLAG(version), "the program's version", NULL},
 };
@@ -166,6 +174,26 @@ const int option_table_size = sizeof option_table / sizeof *option_table;
 const CommandRow *command_find(Command command) {
     for (int i = 0; i < command_table_size; i++) {
         if (command_table[i].command == command) return &command_table[i];
+    }
+    return NULL;
+}
+
+const CommandRow *command_named(const char *word) {
+    for (int i = 0; i < command_table_size; i++) {
+        if (strcmp(command_table[i].name, word) == 0) return &command_table[i];
+    }
+    return NULL;
+}
+
+static bool is_name(const char *name, const char *word, size_t length) {
+    return name && strlen(name) == length && strncmp(name, word, length) == 0;
+}
+
+const OptionRow *option_find(const char *word, size_t length, Command command) {
+    for (int i = 0; i < option_table_size; i++) {
+        const OptionRow *row = &option_table[i];
+        if (!(row->commands & (int)command)) continue;
+        if (is_name(row->name, word, length) || is_name(row->alias, word, length)) return row;
     }
     return NULL;
 }

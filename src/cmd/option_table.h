@@ -25,6 +25,8 @@ typedef enum OptionKind {
     OPTION_TAKE,
     /* Its value is kept as it is. */
     OPTION_STRING,
+    /* Its value is one of `words`. */
+    OPTION_WORD,
     /* It has no value. */
     OPTION_FLAG,
     /* It keeps the word after its "=", or "auto" where there is none. */
@@ -45,6 +47,9 @@ typedef struct OptionRow {
     OptionTake *take;
     /* The offset of its string or flag in Options. */
     size_t offset;
+    /* The words that its value may be, or may be a list of, with commas between them; NULL where there are
+     * none, or where they are in another table. */
+    const char *words;
     /* What it does. For an option that takes a method, help adds the methods (choice/method.h). */
     const char *help;
     /* A second name, or NULL. */
@@ -58,6 +63,12 @@ extern const OptionRow option_table[];
 extern const int option_table_size;
 
 extern const char *const option_group_names[OPTION_GROUPS];
+
+/* The row of an option of the command, by its name or its second name; NULL if there is none. */
+const OptionRow *option_find(const char *word, size_t length, Command command);
+
+/* The command of that name; NULL if there is none. */
+const CommandRow *command_named(const char *word);
 
 /* The command's row; NULL for COMMAND_NONE. */
 const CommandRow *command_find(Command command);

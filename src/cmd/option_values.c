@@ -146,32 +146,25 @@ bool take_max_levels(Options *options, const char *name, const char *value, Erro
     return number_parse_range(name, value, 0, 255, &options->max_levels, error);
 }
 
-/* Reads an option whose value is one of these words. */
-static bool take_word(const char *name, const char *value, const char *const *words, const char **target,
-                      Error *error) {
+const char *word_next(const char **list, size_t *length) {
+    const char *word = *list;
+    if (!word) return NULL;
+    *length = strcspn(word, ",");
+    *list = word[*length] ? word + *length + 1 : NULL;
+    return word;
+}
+
+bool take_word(const char *words, const char *name, const char *value, const char **target, Error *error) {
+    char copy[128];
+    snprintf(copy, sizeof copy, "%s", words);
     Known known = known_to(value, strlen(value));
-    for (; *words; words++) {
-        if (strcmp(*words, value) == 0) {
+    for (char *word = strtok(copy, ","); word; word = strtok(NULL, ",")) {
+        if (strcmp(word, value) == 0) {
             known_free(&known);
-            *target = *words;
+            *target = value;
             return true;
         }
-        known_add(&known, *words);
+        known_add(&known, word);
     }
     return known_fail(&known, STATUS_USAGE, error, "%s: unknown '%s'", name, value);
-}
-
-bool take_format(Options *options, const char *name, const char *value, Error *error) {
-    static const char *const words[] = {"exr", "png", "pfm", NULL};
-    return take_word(name, value, words, &options->format, error);
-}
-
-bool take_tone(Options *options, const char *name, const char *value, Error *error) {
-    static const char *const words[] = {"author", "none", NULL};
-    return take_word(name, value, words, &options->tone, error);
-}
-
-bool take_progress(Options *options, const char *name, const char *value, Error *error) {
-    static const char *const words[] = {"tty", "json", "none", NULL};
-    return take_word(name, value, words, &options->progress, error);
 }

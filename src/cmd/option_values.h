@@ -6,6 +6,12 @@
 
 typedef bool OptionTake(Options *options, const char *name, const char *value, Error *error);
 
-OptionTake take_output, take_format, take_layer, take_setting, take_size, take_sun, take_samples, take_seed,
-    take_depth, take_seconds, take_error, take_percent, take_exposure, take_max_relrmse, take_max_bias,
-    take_max_levels, take_tone, take_progress;
+OptionTake take_output, take_layer, take_setting, take_size, take_sun, take_samples, take_seed, take_depth,
+    take_seconds, take_error, take_percent, take_exposure, take_max_relrmse, take_max_bias, take_max_levels;
+
+/* Keeps a value that is one of the words between commas. */
+MUST_CHECK bool take_word(const char *words, const char *name, const char *value, const char **target,
+                          Error *error);
+
+/* The next word of a list with commas, to be cut at `length`; NULL at the list's end. */
+const char *word_next(const char **list, size_t *length);

@@ -34,6 +34,8 @@ typedef struct Options {
     /* Whether the help of `command` is wanted, or the program's if that is COMMAND_NONE. */
     bool help;
     bool version, manual;
+    /* The shell whose completion script is wanted, or NULL. */
+    const char *completion;
 
     int width, height;
     bool has_sun, has_azimuth;

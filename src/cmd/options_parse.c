@@ -9,26 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-static bool is_name(const char *name, const char *word, size_t length) {
-    return name && strlen(name) == length && strncmp(name, word, length) == 0;
-}
-
-static const OptionRow *find_option(const char *word, size_t length, Command command) {
-    for (int i = 0; i < option_table_size; i++) {
-        const OptionRow *row = &option_table[i];
-        if (!(row->commands & (int)command)) continue;
-        if (is_name(row->name, word, length) || is_name(row->alias, word, length)) return row;
-    }
-    return NULL;
-}
-
-static const CommandRow *find_command(const char *word) {
-    for (int i = 0; i < command_table_size; i++) {
-        if (strcmp(command_table[i].name, word) == 0) return &command_table[i];
-    }
-    return NULL;
-}
-
 static bool unknown_command(const char *word, Error *error) {
     Near near = near_to(word, strlen(word));
     for (int i = 0; i < command_table_size; i++) near_try(&near, command_table[i].name);
@@ -40,7 +20,7 @@ static bool unknown_command(const char *word, Error *error) {
 static bool other_option(const char *word, size_t length, const CommandRow *command, Error *error) {
     Text commands = {0};
     for (int i = 0; i < command_table_size; i++) {
-        if (!find_option(word, length, command_table[i].command)) continue;
+        if (!option_find(word, length, command_table[i].command)) continue;
         text_print(&commands, "%s%s", commands.size ? ", " : "", command_table[i].name);
     }
     bool found = commands.size > 0;
@@ -73,6 +53,8 @@ static bool take_option(Options *options, const OptionRow *option, const char *v
     case OPTION_STRING:
         *(const char **)target = value;
         return true;
+    case OPTION_WORD:
+        return take_word(option->words, option->name, value, (const char **)target, error);
     case OPTION_OPTIONAL:
     case OPTION_SWITCH:
         *(const char **)target = value ? value : "auto";
@@ -104,7 +86,7 @@ typedef struct OptionWord {
 } OptionWord;
 
 static OptionWord cut_word(const char *word, Command command) {
-    if (find_option(word, strlen(word), command)) return (OptionWord){word, strlen(word), NULL};
+    if (option_find(word, strlen(word), command)) return (OptionWord){word, strlen(word), NULL};
     bool two_dashes = word[1] == '-';
     const char *equals = two_dashes ? strchr(word, '=') : NULL;
     size_t length = two_dashes ? (equals ? (size_t)(equals - word) : strlen(word)) : 2;
@@ -118,7 +100,7 @@ static bool find_value(OptionWord *word, const OptionRow *option, int argc, char
     if (word->value) return true;
     const char *next = *at + 1 < argc ? argv[*at + 1] : NULL;
     OptionWord cut = next && next[0] == '-' && next[1] ? cut_word(next, command->command) : (OptionWord){0};
-    if (next && !(cut.length == strlen(next) && find_option(next, cut.length, command->command))) {
+    if (next && !(cut.length == strlen(next) && option_find(next, cut.length, command->command))) {
         word->value = argv[++*at];
         return true;
     }
@@ -130,7 +112,7 @@ static bool find_value(OptionWord *word, const OptionRow *option, int argc, char
 static bool parse_option(Options *options, int argc, char **argv, int *at, const CommandRow *command,
                          Error *error) {
     OptionWord word = cut_word(argv[*at], command->command);
-    const OptionRow *option = find_option(word.name, word.length, command->command);
+    const OptionRow *option = option_find(word.name, word.length, command->command);
     /* A long option with one dash is more likely than a short one with a value. */
     if (!option || (option->kind == OPTION_FLAG && word.value && word.name[1] != '-'))
         return unknown_option(word.name, word.name[1] == '-' ? word.length : strlen(word.name), command,
@@ -146,6 +128,7 @@ static bool parse_option(Options *options, int argc, char **argv, int *at, const
         if (word.value && strcmp(word.value, "on") == 0) word.value = "auto";
         break;
     case OPTION_STRING:
+    case OPTION_WORD:
     case OPTION_TAKE:
         if (!find_value(&word, option, argc, argv, at, command, error)) return false;
     }
@@ -173,7 +156,7 @@ static bool parse_words(Options *options, int argc, char **argv, const CommandRo
 
 /* `help render` means `render --help`, and `help` alone means `--help`. */
 static bool take_help(Options *options, Error *error) {
-    const CommandRow *asked = options->input_count ? find_command(options->inputs[0]) : NULL;
+    const CommandRow *asked = options->input_count ? command_named(options->inputs[0]) : NULL;
     if (options->input_count && !asked) return unknown_command(options->inputs[0], error);
     if (!options->help) options->command = asked ? asked->command : COMMAND_NONE;
     options->help = !options->version;
@@ -188,7 +171,7 @@ bool options_parse(Options *options, int argc, char **argv, Error *error) {
     if (options->version) return true;
     /* `--help render` is `help render`. */
     bool help = strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0;
-    const CommandRow *command = find_command(help ? "help" : argv[1]);
+    const CommandRow *command = command_named(help ? "help" : argv[1]);
     if (!command) return unknown_command(argv[1], error);
     options->command = command->command;
     if (!parse_words(options, argc, argv, command, error)) return false;

@@ -70,6 +70,10 @@ static int find_common(const char *name) {
     return -1;
 }
 
+const char *setting_common(int index) {
+    return index >= 0 && index < COMMON_SETTINGS ? common_settings[index].name : NULL;
+}
+
 bool setting_is_common(const char *name) {
     return find_common(name) >= 0;
 }

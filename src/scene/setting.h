@@ -12,6 +12,9 @@ MUST_CHECK bool setting_apply(const SceneFile *file, SceneValues *values, const 
 MUST_CHECK bool setting_choose_preset(const SceneFile *file, SceneValues *values, const char *name,
                                       Error *error);
 
+/* The names of the settings that every scene has, without the atmosphere's; NULL past the end. */
+const char *setting_common(int index);
+
 /* Whether every scene has a setting of that name. */
 bool setting_is_common(const char *name);
 
