@@ -18,6 +18,10 @@ uniform vec4 iDate;
 uniform float iSampleRate;
 uniform float iChannelTime[4];
 uniform vec3 iChannelResolution[4];
+// Where in its pixel a sample lies, from the middle, in pixels; z is 0.
+uniform vec3 shadertoy_shift;
+// How often a loop turns that finds out whether the driver has ended all loops.
+uniform int shadertoy_turns;
 uniform sampler2D iChannel0;
 uniform sampler2D iChannel1;
 uniform sampler2D iChannel2;

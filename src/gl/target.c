@@ -67,7 +67,7 @@ void target_begin(const Target *target, const Program *program, const char *cons
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer[1 - target->front]);
     gl->Viewport(0, 0, target->width, target->height);
     for (int i = 0; i < TARGET_TEXTURES; i++) {
-        if (!target->textures[0][i]) continue;
+        if (!target->textures[0][i] || !names[i]) continue;
         program_set_texture(program, names[i], target->textures[target->front][i]);
     }
 }

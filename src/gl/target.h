@@ -26,7 +26,7 @@ void target_destroy(Target *target);
 void target_clear(Target *target);
 
 /* The back side becomes what is drawn into. The front side's texture i becomes the sampler names[i] of the
- * program, which must be in use. */
+ * program, which must be in use. A texture whose name is NULL is not read. */
 void target_begin(const Target *target, const Program *program, const char *const *names);
 
 /* Copies these regions from the front to the back, for a pass that does not draw there. */

@@ -1,6 +1,6 @@
 #include "render/inputs.h"
 
-static void parameter_uniforms(const Scene *scene, Uniforms *uniforms) {
+void inputs_parameters(const Scene *scene, Uniforms *uniforms) {
     for (int i = 0; i < scene->file->parameter_count; i++) {
         const Parameter *parameter = &scene->file->parameters[i];
         const double *value = scene->values.parameters[i];
@@ -24,5 +24,5 @@ void inputs_uniforms(const Frame *frame, Uniforms *uniforms) {
     uniforms_vec3(uniforms, "iResolution", resolution);
     uniforms_float(uniforms, "iTime", frame->scene->values.time_s);
     uniforms_vec4(uniforms, "iMouse", frame->scene->values.mouse);
-    parameter_uniforms(frame->scene, uniforms);
+    inputs_parameters(frame->scene, uniforms);
 }

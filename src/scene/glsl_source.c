@@ -97,6 +97,8 @@ static bool flatten_line(Flattener *flattener, const Found *found, const char *l
                          const Place *place, int file, Error *error) {
     Text *text = &flattener->source->text;
     const char *words = glsl_directive(line, "include");
+    /* The language's version is the entry file's. */
+    if (file && glsl_directive(line, "version")) line = "";
     if (words && counts) {
         if (!include_line(flattener, found, words, place, error)) return false;
         text_print(text, "#line %d %d\n", place->line + 1, file);
@@ -136,7 +138,7 @@ static bool include_file(Flattener *flattener, const Found *found, const Place *
     Place first = {file->path, 1};
     if (!glsl_materials_add(&source->materials, file->path, &source->text, error))
         return fail_at(place ? place : &first, error);
-    if (strncmp(text_string(&file->text), "#version", 8) != 0)
+    if (number || strncmp(text_string(&file->text), "#version", 8) != 0)
         text_print(&source->text, "#line 1 %d\n", number);
     return flatten_lines(flattener, found, file, number, error);
 }
@@ -169,4 +171,10 @@ bool glsl_source_includes(const GlslSource *source, const char *file) {
         if (size >= length && strcmp(source->files[i] + size - length, file) == 0) return true;
     }
     return false;
+}
+
+bool glsl_source_is_own(const GlslSource *source, int file, const char *library) {
+    size_t length = strlen(library);
+    if (file < 0 || file >= source->file_count) return false;
+    return strncmp(source->files[file], library, length) != 0 || source->files[file][length] != '/';
 }

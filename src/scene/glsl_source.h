@@ -41,3 +41,6 @@ void glsl_source_destroy(GlslSource *source);
 
 /* Whether the file, by the end of its path, is among those that the text was made of. */
 bool glsl_source_includes(const GlslSource *source, const char *file);
+
+/* Whether the file of that number is the user's, and not in the folder of the GLSL library. */
+bool glsl_source_is_own(const GlslSource *source, int file, const char *library);

@@ -42,8 +42,9 @@ SceneFacts scene_facts(const GlslSource *source) {
     GlslScan scan = glsl_scan(text_string(&source->text));
     SceneFacts facts = {.missing = find_missing(source, &scan),
                         .makes_spheres = glsl_scan_defines(&scan, "scene_sphere"),
-                        .is_toy = glsl_scan_defines(&scan, "mainImage") &&
-                                  !glsl_scan_defines(&scan, "scene_intersect"),
+                        .is_toy =
+                            (glsl_scan_defines(&scan, "mainImage") || glsl_scan_defines(&scan, "main")) &&
+                            !glsl_scan_defines(&scan, "scene_intersect"),
                         .searches = glsl_source_includes(source, "shape/search.glsl"),
                         .march_calls = glsl_scan_calls(&scan, "march"),
                         .hit_spheres_calls = glsl_scan_calls(&scan, "hit_spheres"),

@@ -97,11 +97,13 @@ bool picture_update(Picture *picture, ViewState *state, Error *refusal, Error *e
 }
 
 static bool draw_toy(Picture *picture, const ViewState *state, bool *drew, Error *error) {
-    double mouse[4];
+    Toy *toy = &picture->toy;
+    double delta = toy->frame ? state->clock_seconds - toy->moment.time_s : 0;
+    ToyMoment moment = {.time_s = state->clock_seconds, .delta_s = fmax(delta, 0), .by_clock = true};
     if (picture_rests(picture, state)) return true;
     *drew = true;
-    view_mouse(state, picture->height, mouse);
-    return toy_draw(&picture->toy, rest_budget_s, state->clock_seconds, mouse, window_calls, error);
+    view_mouse(state, picture->height, moment.mouse);
+    return toy_draw(toy, &state->scene, &moment, rest_budget_s, window_calls, error);
 }
 
 /* Two sides at rest get the same time, so that a side which was opened or changed later catches up. */

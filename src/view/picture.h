@@ -1,11 +1,11 @@
 /* What the window shows: one or two pictures of a scene, or a Shadertoy program. */
 #pragma once
 
+#include "render/toy.h"
 #include "view/display.h"
 #include "view/inspect.h"
 #include "view/pane.h"
 #include "view/save.h"
-#include "view/toy.h"
 #include "view/view_params.h"
 #include "view/watch.h"
 

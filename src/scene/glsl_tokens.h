@@ -1,0 +1,48 @@
+/* The tokens of a flattened GLSL text, with their places: comments are none, and directives are marked. */
+#pragma once
+
+#include "scene/glsl_source.h"
+
+typedef enum GlslTokenKind { GLSL_WORD, GLSL_NUMBER, GLSL_SIGN } GlslTokenKind;
+
+typedef struct GlslToken {
+    GlslTokenKind kind;
+    /* Where it stands in the text, in bytes. */
+    size_t at, size;
+    /* The file that it comes from, by the last #line before it. */
+    int file;
+    /* 0 in code. Tokens of the same directive, such as `#define`, have the same number. */
+    int directive;
+} GlslToken;
+
+typedef struct GlslTokens {
+    /* Borrowed. */
+    const char *text;
+    GlslToken *list;
+    int count;
+} GlslTokens;
+
+/* Splits the text, which has to outlive the list. #line directives are obeyed and left out. To be freed. */
+GlslTokens glsl_tokens(const char *text);
+void glsl_tokens_free(GlslTokens *tokens);
+
+/* Whether token `i` is this word or sign. There is none past the ends. */
+bool glsl_token_is(const GlslTokens *tokens, int i, const char *word);
+
+/* Whether it is one of these words; the list ends with NULL. */
+bool glsl_token_among(const GlslTokens *tokens, int i, const char *const *words);
+
+bool glsl_token_is_word(const GlslTokens *tokens, int i);
+
+/* The next token of the same directive, or of the code, behind `i`; `count` where there is none. */
+int glsl_token_next(const GlslTokens *tokens, int i);
+
+/* The token behind the bracket that closes the one at `i`, or `count`. Brackets of all kinds nest. */
+int glsl_token_skip(const GlslTokens *tokens, int i);
+
+/* The first token of the same directive, or of the code, from `i` on that is this sign outside of brackets. A
+ * closing bracket ends the search. `count` where there is none. */
+int glsl_token_find(const GlslTokens *tokens, int i, const char *sign);
+
+/* The line of its file on which the token stands. */
+int glsl_token_line(const GlslTokens *tokens, int i);
