@@ -4,6 +4,7 @@
 #include "cmd/interrupt.h"
 #include "cmd/outputs.h"
 #include "cmd/render_job.h"
+#include "cmd/render_toy.h"
 #include "cmd/setup.h"
 #include "image/format.h"
 #include "render/chance.h"
@@ -41,14 +42,16 @@ static Tone tone_of(const Options *options) {
     return options->tone && strcmp(options->tone, "none") == 0 ? TONE_NONE : TONE_AUTHOR;
 }
 
+static bool open_scene(RenderJob *job, Error *error) {
+    const Options *options = job->options;
+    return check_outputs(options, error) && setup_library(options, &job->library, error) &&
+           setup_scene(options, job->library, &job->scene, error) &&
+           (!options->width || scene_check_size(options->width, options->height, error));
+}
+
 static bool prepare(RenderJob *job, Error *error) {
     const Options *options = job->options;
-    if (!check_outputs(options, error) || !check_aov(options, &job->aov_kinds, error) ||
-        !setup_library(options, &job->library, error) ||
-        !setup_scene(options, job->library, &job->scene, error)) {
-        return false;
-    }
-    if (options->width && !scene_check_size(options->width, options->height, error)) return false;
+    if (!check_aov(options, &job->aov_kinds, error)) return false;
     RenderParams params = {.scene = &job->scene,
                            .sky = options->sky,
                            .light = options->light,
@@ -191,6 +194,7 @@ static bool render(RenderJob *job, Error *error) {
     aim(job, start);
     while (!enough(job) && !interrupt_requested()) {
         if (!sample(job, error)) return false;
+        interrupt_keep();
         figures->paths = job->adaptive.paths;
         figures->samples = (double)figures->paths / pixels;
         if (!aov_pass(&job->aov, &job->renderer, (uint64_t)figures->samples, interrupt_requested, error))
@@ -227,21 +231,26 @@ static void release(RenderJob *job) {
     free(job->library);
 }
 
-Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
+static bool render_scene(RenderJob *job, int argc, char **argv, Error *error) {
     double start = clock_seconds();
+    if (!prepare(job, error)) return false;
+    job->figures.startup_seconds = clock_seconds() - start;
+    if (job->options->verbose) render_say_choices(job);
+    if (!render(job, error) || !write_outputs(job, argc, argv, error)) return false;
+    if (!job->options->quiet) render_say_summary(job);
+    render_warn(job);
+    return true;
+}
+
+Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
     RenderJob job = {.options = options, .progress = progress_start(options)};
     error->status = STATUS_DONE;
     interrupt_install();
-    bool ok = prepare(&job, error);
-    if (ok) {
-        job.figures.startup_seconds = clock_seconds() - start;
-        if (options->verbose) render_say_choices(&job);
-        ok = render(&job, error) && write_outputs(&job, argc, argv, error);
-    }
-    if (ok) {
-        if (!options->quiet) render_say_summary(&job);
-        render_warn(&job);
-    }
+    bool ok = open_scene(&job, error);
+    if (ok && render_is_toy(&job))
+        ok = render_toy(&job, argc, argv, error);
+    else
+        ok = ok && render_scene(&job, argc, argv, error);
     bool interrupted = job.figures.interrupted;
     bool broken = options->error.amount > 0 && !job.promise.given;
     release(&job);

@@ -62,6 +62,7 @@ Status cmd_view(const Options *options, Error *error) {
     Source source = {.options = options};
     error->status = STATUS_DONE;
     interrupt_install();
+    interrupt_keep();
     log_enable(options->progress && strcmp(options->progress, "json") == 0);
     bool ok = setup_library(options, &source.library, error) && check_folder(options->record, error) &&
               scene_find(options->inputs[0], source.library, &source.path, error);

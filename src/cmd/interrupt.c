@@ -1,17 +1,20 @@
 #include "cmd/interrupt.h"
 
 #include "base/clock.h"
+#include "base/error.h"
 
 #include <signal.h>
 #include <stddef.h>
+#include <unistd.h>
 
-static volatile sig_atomic_t requested;
+static volatile sig_atomic_t requested, keeps;
 static double first_seconds;
 
 /* A second signal takes its default course, but not one that comes at once: `timeout` sends its signal both
  * to the program and to its group. */
 static void handle(int signal_number) {
     double now = clock_seconds();
+    if (!keeps) _exit(STATUS_INTERRUPTED);
     if (requested && now > first_seconds + 0.3) {
         signal(signal_number, SIG_DFL);
         raise(signal_number);
@@ -26,6 +29,10 @@ void interrupt_install(void) {
     sigemptyset(&action.sa_mask);
     for (int i = 0; i < 3; i++) sigaddset(&action.sa_mask, signals[i]);
     for (int i = 0; i < 3; i++) sigaction(signals[i], &action, NULL);
+}
+
+void interrupt_keep(void) {
+    keeps = 1;
 }
 
 bool interrupt_requested(void) {

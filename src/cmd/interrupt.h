@@ -1,7 +1,11 @@
-/* Ctrl-C, SIGTERM and SIGHUP make a rendering stop and save. A second one ends the program at once. */
+/* Ctrl-C, SIGTERM and SIGHUP end the program at once, with STATUS_INTERRUPTED, while it has nothing to save.
+ * Otherwise they make it stop and save, and a second one ends it at once. */
 #pragma once
 
 #include <stdbool.h>
 
 void interrupt_install(void);
+
+/* From now on there is something to save. */
+void interrupt_keep(void);
 bool interrupt_requested(void);

@@ -5,7 +5,7 @@
 /* To [0,1]. Negative and NaN become 0, +inf 1. */
 static double tone_apply(Tone tone, double x) {
     if (!(x > 0)) return 0;
-    if (tone == TONE_NONE) return fmin(x, 1);
+    if (tone != TONE_AUTHOR) return fmin(x, 1);
     x = fmin(x, 1e6); /* far above the curve's end, and its square is finite */
     return fmin(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1);
 }
@@ -16,7 +16,8 @@ static double srgb_from_linear(double v) {
 }
 
 double tone_level(Tone tone, double gain, double radiance) {
-    return 255 * srgb_from_linear(tone_apply(tone, gain * radiance));
+    double light = tone_apply(tone, gain * radiance);
+    return 255 * (tone == TONE_SCREEN ? light : srgb_from_linear(light));
 }
 
 double tone_levels_per_percent(Tone tone) {

@@ -5,7 +5,9 @@ typedef enum Tone {
     /* The author's tone curve, Narkowicz's fit of ACES. */
     TONE_AUTHOR,
     /* Clamp at 1. */
-    TONE_NONE
+    TONE_NONE,
+    /* The values are what a screen is given: they are neither curved nor encoded. */
+    TONE_SCREEN
 } Tone;
 
 /* The level from 0 to 255 that a radiance is shown as, neither rounded nor dithered. The radiance is

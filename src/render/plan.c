@@ -139,6 +139,13 @@ int plan_height(const RenderParams *params) {
 /* Checks that the scene defines the functions that its text needs. */
 static bool check_functions(const Scene *scene, Error *error) {
     const SceneFile *file = scene->file;
+    if (file->facts.is_toy) {
+        return error_set(
+            error, STATUS_USAGE,
+            "%s paints its picture by itself (mainImage() or main()), without sky and light: only "
+            "`render` and `view` are for such files",
+            file->path);
+    }
     if (file->facts.missing)
         return error_set(error, STATUS_SCENE, "%s:1: missing function: %s", file->path, file->facts.missing);
     if (file->facts.hit_spheres_calls && !file->spheres[0]) {

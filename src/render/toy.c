@@ -1,5 +1,6 @@
 #include "render/toy.h"
 
+#include "base/lines.h"
 #include "base/memory.h"
 #include "gl/strips.h"
 #include "render/inputs.h"
@@ -138,6 +139,12 @@ bool toy_draw(Toy *toy, const Scene *scene, const ToyMoment *moment, double seco
         toy->frame++;
     }
     return gl_check(toy->program.gl, "drawing mainImage()", error);
+}
+
+void toy_say_notes(const Toy *toy, FILE *out) {
+    Lines lines = lines_of(text_string(&toy->notes));
+    for (const char *line; (line = lines_next(&lines));) fprintf(out, "magichour: warning: %s\n", line);
+    lines_free(&lines);
 }
 
 GLuint toy_texture(const Toy *toy) {

@@ -5,6 +5,14 @@
 #include "gl/target.h"
 #include "scene/scene.h"
 
+#include <stdio.h>
+
+/* What is wrong with pixels that toy_cut_share() counts. */
+#define TOY_CUT_WORDS                                                                                        \
+    "its loops turn more often than this OpenGL lets them: it ends all loops of a pixel after 65,535 turns " \
+    "together, without an error, so that the picture is wrong there; take fewer steps, or an OpenGL of a "   \
+    "GPU"
+
 typedef struct Toy {
     /* Empty if the file is no such program. */
     Program program;
@@ -47,6 +55,9 @@ MUST_CHECK bool toy_draw(Toy *toy, const Scene *scene, const ToyMoment *moment, 
 
 /* Returns the texture of the last complete frame. Its row 0 is at the bottom. */
 GLuint toy_texture(const Toy *toy);
+
+/* Prints what the program does not get, each as a warning. */
+void toy_say_notes(const Toy *toy, FILE *out);
 
 /* Sets `share` to the share of the last frame's pixels whose loops the driver has ended without a word. */
 MUST_CHECK bool toy_cut_share(const Toy *toy, double *share, Error *error);

@@ -149,9 +149,14 @@ static bool read_declaration(ToyInterface *interface, const Declaration *declara
             "for a place in the picture from 0 to 1",
             error);
     }
-    const ToyInput *input = toy_input_find(interface->tokens, declaration->name);
-    if (input && !input->value) take_name(interface, declaration->name);
     return true;
+}
+
+/* A variable or a function may have the name of one of Shadertoy's inputs. */
+static void read_name(ToyInterface *interface, const Declaration *declaration) {
+    const ToyInput *input = toy_input_find(interface->tokens, declaration->name);
+    if (input && !input->value && glsl_token_is_word(interface->tokens, declaration->type))
+        take_name(interface, declaration->name);
 }
 
 /* Reads what stands outside of functions from token `i` on, and returns the token behind it. */
@@ -166,12 +171,12 @@ static int read_outside(const ToyInterface *interface, int i, Declaration *decla
         if (layout && i < tokens->count) i = glsl_token_skip(tokens, i);
     }
     declaration->type = i;
+    declaration->name = i < tokens->count ? glsl_token_next(tokens, i) : i;
     while (i < tokens->count && !is(interface, i, ";") && !is(interface, i, "{"))
         i = glsl_token_next(tokens, i);
     if (i < tokens->count && is(interface, i, ";")) {
         int name = glsl_token_next(tokens, declaration->type),
             behind = name < i ? glsl_token_next(tokens, name) : i;
-        declaration->name = name;
         if (glsl_token_is_word(tokens, declaration->type) && glsl_token_is_word(tokens, name) &&
             !is(interface, behind, "("))
             declaration->end = i;
@@ -247,6 +252,7 @@ bool toy_interface_read(ToyInterface *interface, Error *error) {
         interface->has_main |=
             is(interface, declaration.type, "void") && is(interface, declaration.type + 1, "main");
         declares_time |= declaration.end >= 0 && is(interface, declaration.name, "iGlobalTime");
+        if (declaration.kind < 0) read_name(interface, &declaration);
         if (declaration.end >= 0 && !read_declaration(interface, &declaration, error)) return false;
         i = next;
     }
