@@ -159,7 +159,8 @@ other_programs() {
         other_program "display-$(basename "$way" .glsl)" display shown "$way"
     done
     other_program sky_probe sky_probe sky glsl/pass/sky_uniform.glsl
-    other_program shadertoy shadertoy scene "$work/toy.glsl"
+    build/magichour flatten "$work/toy.glsl" >"$programs/shadertoy.frag"
+    echo shadertoy >"$programs/shadertoy.choice"
 }
 
 # Every program of each scene, with each method, through the reference compiler: a driver accepts more than the language has.

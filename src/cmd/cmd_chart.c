@@ -78,6 +78,12 @@ static bool prepare(Job *job, Error *error) {
            make_folder(options->outputs[0], error) && context_open(&job->context, options->backend, error);
 }
 
+/* What is measured is kept, so that the next run goes on with it. */
+static void report(void *data, double share, const char *what) {
+    interrupt_keep();
+    gauge_report(data, share, what);
+}
+
 static bool make_charts(Job *job, Error *error) {
     const Options *options = job->options;
     double seconds = options->seconds > 0 ? options->seconds : default_seconds, whole = 0, done = 0;
@@ -95,7 +101,7 @@ static bool make_charts(Job *job, Error *error) {
                           .identity = text_string(&job->identity),
                           .target = target,
                           .said = &job->said};
-    Monitor all = {interrupt_requested, gauge_report, &job->gauge, 0, 1};
+    Monitor all = {interrupt_requested, report, &job->gauge, 0, 1};
     for (int i = 0; i < CHARTS; i++) whole += job->wanted[i] ? charts[i].share : 0;
     for (int i = 0; i < CHARTS && !interrupt_requested(); i++) {
         if (!job->wanted[i]) continue;

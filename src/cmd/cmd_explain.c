@@ -96,7 +96,9 @@ static bool explain(Job *job, Gauge *gauge, Error *error) {
             if (terms[i].same_picture != (part == 1)) continue;
             gauge_report(gauge, (double)done++ / count, terms[i].name);
             ok = worth_of(&job->base, &terms[i], interrupt_requested, &worth, error);
-            if (ok && !interrupt_requested()) print_row(job, &terms[i], &worth);
+            if (!ok || interrupt_requested()) continue;
+            print_row(job, &terms[i], &worth);
+            interrupt_keep();
         }
     }
     free(terms);

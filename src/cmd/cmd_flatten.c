@@ -1,6 +1,7 @@
 #include "cmd/cmd.h"
 #include "cmd/pass_json.h"
 #include "cmd/setup.h"
+#include "scene/toy_source.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,10 +28,30 @@ static bool print_all(const Plan *plan, const RenderParams *params, Error *error
     return true;
 }
 
+/* A file that paints its picture by itself is one program, as it is compiled (scene/toy_source.h). */
+static bool print_toy(const Scene *scene, Error *error) {
+    const ToyParams params = {.file = scene->file};
+    GlslSource source;
+    Text notes = {0};
+    bool ok = toy_source_create(&source, &notes, &params, error);
+    text_free(&notes);
+    if (!ok) return false;
+    fwrite(source.text.data, 1, source.text.size, stdout);
+    glsl_source_destroy(&source);
+    return true;
+}
+
+static bool print_scene(const Options *options, const RenderParams *params, Error *error) {
+    Plan plan;
+    return plan_make(&plan, params, NULL, error) &&
+           (options->json  ? pass_json_print(&plan, params, stdout, error)
+            : options->all ? print_all(&plan, params, error)
+                           : print_trace(&plan, params, error));
+}
+
 Status cmd_flatten(const Options *options, Error *error) {
     char *library = NULL;
     Scene scene = {0};
-    Plan plan;
     bool ok = setup_library(options, &library, error) && setup_scene(options, library, &scene, error);
     if (ok) {
         RenderParams params = {.scene = &scene,
@@ -39,10 +60,7 @@ Status cmd_flatten(const Options *options, Error *error) {
                                .sequence = options->sequence,
                                .further = options->further,
                                .sun_disk = options->sun_disk};
-        ok = plan_make(&plan, &params, NULL, error) &&
-             (options->json  ? pass_json_print(&plan, &params, stdout, error)
-              : options->all ? print_all(&plan, &params, error)
-                             : print_trace(&plan, &params, error));
+        ok = scene.file->facts.is_toy ? print_toy(&scene, error) : print_scene(options, &params, error);
     }
     scene_destroy(&scene);
     free(library);

@@ -172,12 +172,14 @@ static bool warn(const RenderJob *job, const Toy *toy, Error *error) {
 
 static bool run(RenderJob *job, Toy *toy, int argc, char **argv, Error *error) {
     const SceneFile *file = job->scene.file;
+    double start = clock_seconds();
     int width = job->options->width ? job->options->width : file->width,
         height = job->options->height ? job->options->height : file->height;
     if (!toy_compile(toy, &job->context, file, error) ||
         !toy_resize(toy, &job->context, width, height, error))
         return false;
     toy_say_notes(toy, stderr);
+    job->figures.startup_seconds = clock_seconds() - start;
     double *sums = memory_get(4 * (size_t)width * (size_t)height, sizeof *sums);
     bool ok = draw(job, toy, sums, error);
     if (ok) make_image(job, toy, sums);
@@ -189,9 +191,7 @@ static bool run(RenderJob *job, Toy *toy, int argc, char **argv, Error *error) {
 
 bool render_toy(RenderJob *job, int argc, char **argv, Error *error) {
     Toy toy = {0};
-    double start = clock_seconds();
     if (!check(job, error) || !context_open(&job->context, job->options->backend, error)) return false;
-    job->figures.startup_seconds = clock_seconds() - start;
     bool ok = run(job, &toy, argc, argv, error);
     toy_destroy(&toy);
     return ok;

@@ -221,7 +221,7 @@ static void rename_words(ToyInterface *interface) {
             text_edits_add(interface->edits, token->at, token->size, "%s", name);
         else if (is_taken(interface, i))
             put(interface, i, "own_");
-        if (!noted && glsl_token_among(interface->tokens, i, black))
+        if (!noted && !is(interface, i - 1, "#") && glsl_token_among(interface->tokens, i, black))
             note(interface, i, "is black: iChannel0 is the frame before, and there are no other channels"),
                 noted = true;
     }
