@@ -80,6 +80,39 @@ static void test_save(void **state) {
     assert_int_equal(support_run("", "compare '%s' '%s' --max-relrmse 0", saved, again), 0);
 }
 
+/* A link line holds all that differs from the scene's file, and nothing else; a window that is opened by it
+ * shows the same. */
+static void test_link(void **state) {
+    (void)state;
+    char link[2048];
+    desktop_view(window, "\"$here\"/scenes/crater.glsl --size 512x512");
+    desktop_do(window, "key l");
+    const char *line = desktop_expect(window, "\"event\": \"copy\"", "magichour view ");
+    assert_non_null(strstr(line, "/scenes/crater.glsl\"")); /* and no more */
+    desktop_quit(window);
+    desktop_view(window, "\"$here\"/scenes/crater.glsl " SMALL " --light cosine --set hover=0.75 --spp 16");
+    desktop_do(
+        window,
+        "key h mousemove 100 90 mousedown 1 mousemove 110 93 mouseup 1 mousemove 700 500 key 3 key equal");
+    desktop_expect_rest(window, 16);
+    const char *first = desktop_save(window, "exr");
+    desktop_do(window, "key l");
+    line = desktop_expect(window, "\"event\": \"copy\"", "magichour view ");
+    assert_int_equal(sscanf(strstr(line, "magichour view ") + strlen("magichour view "), "%2047[^\"]", link),
+                     1);
+    assert_non_null(strstr(link, " --size 320x180 --light cosine --sun 5,0 "));
+    assert_non_null(strstr(link, " --exposure 0.75 --set hover=0.75"));
+    double eye = desktop_number(window, "eye_x");
+    desktop_quit(window);
+    desktop_view(window, "%s --spp 16", link);
+    desktop_expect_samples(window, 16);
+    assert_true(desktop_number(window, "eye_x") == eye && desktop_number(window, "exposure") == 0.75);
+    const char *second = desktop_save(window, "exr");
+    desktop_quit(window);
+    assert_string_not_equal(first, second);
+    assert_int_equal(support_run("", "compare '%s' '%s' --max-relrmse 0", first, second), 0);
+}
+
 /* A scene that follows the clock and the mouse, with blanks and quotes in its path and the library's: the
  * saved command makes what was on the screen when it was saved, to the bit, run by a shell as it stands. */
 static void test_save_moving(void **state) {
@@ -190,6 +223,7 @@ int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_save, desktop_setup, desktop_teardown),
+        cmocka_unit_test_setup_teardown(test_link, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_save_moving, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_save_sides, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_inspect, desktop_setup, desktop_teardown),

@@ -60,18 +60,44 @@ static void print_parameters(Text *text, const Scene *scene) {
     }
 }
 
-void view_command(const CommandParams *params, Text *command) {
-    const SceneFile *scene = params->scene->file;
-    const SceneValues *now = &params->scene->values, *file = &scene->values;
-    const Renderer *renderer = params->renderer;
-    text_print(command, "magichour render ");
+static void print_scene(Text *text, const char *command, const SceneFile *scene, const char *glsl_dir) {
+    text_print(text, "magichour %s ", command);
     /* A path that begins with a hyphen would be an option. */
-    if (*scene->path == '-') text_print(command, "./");
-    text_print_quoted(command, scene->path);
-    if (params->glsl_dir) {
-        text_print(command, " --glsl-dir ");
-        text_print_quoted(command, params->glsl_dir);
-    }
+    if (*scene->path == '-') text_print(text, "./");
+    text_print_quoted(text, scene->path);
+    if (!glsl_dir) return;
+    text_print(text, " --glsl-dir ");
+    text_print_quoted(text, glsl_dir);
+}
+
+static void print_sun(Text *text, const Sun *sun) {
+    print_number(text, " --sun ", sun->elevation_deg);
+    print_number(text, ",", sun->azimuth_deg);
+}
+
+/* All settings that differ from the file's but the sun's place. */
+static void print_differences(Text *text, const Scene *scene) {
+    const SceneValues *now = &scene->values, *file = &scene->file->values;
+    if (differ(&now->sun.radius_deg, &file->sun.radius_deg, 1))
+        print_setting(text, "sun.", "radius", &now->sun.radius_deg, 1);
+    if (differ(now->camera.eye, file->camera.eye, 3))
+        print_setting(text, "camera.", "eye", now->camera.eye, 3);
+    if (differ(now->camera.target, file->camera.target, 3))
+        print_setting(text, "camera.", "target", now->camera.target, 3);
+    if (differ(&now->camera.fov_deg, &file->camera.fov_deg, 1))
+        print_setting(text, "camera.", "fov", &now->camera.fov_deg, 1);
+    if (differ(&now->exposure_ev, &file->exposure_ev, 1))
+        print_number(text, " --exposure ", now->exposure_ev);
+    if (differ(&now->time_s, &file->time_s, 1)) print_setting(text, "", "time", &now->time_s, 1);
+    if (differ(now->mouse, file->mouse, 4)) print_setting(text, "", "mouse", now->mouse, 4);
+    print_parameters(text, scene);
+    print_atmosphere(text, &now->atmosphere, &file->atmosphere);
+}
+
+void view_command(const CommandParams *params, Text *command) {
+    const SceneValues *now = &params->scene->values;
+    const Renderer *renderer = params->renderer;
+    print_scene(command, "render", params->scene->file, params->glsl_dir);
     text_print(command, " -o picture.exr --size %dx%d --spp %" PRIu64, renderer->camera.width,
                renderer->camera.height, renderer->film.samples);
     text_print(command, " --sky %s --light %s --sequence %s --sun-disk=%s", renderer->plan.sky.text,
@@ -79,20 +105,31 @@ void view_command(const CommandParams *params, Text *command) {
     if (now->atmosphere.orders > 1) text_print(command, " --further %s", renderer->plan.further.text);
     if (renderer->seed) text_print(command, " --seed %u", renderer->seed);
     if (params->max_hits) text_print(command, " --depth %d", params->max_hits);
-    print_number(command, " --sun ", now->sun.elevation_deg);
-    print_number(command, ",", now->sun.azimuth_deg);
-    if (differ(&now->sun.radius_deg, &file->sun.radius_deg, 1))
-        print_setting(command, "sun.", "radius", &now->sun.radius_deg, 1);
-    if (differ(now->camera.eye, file->camera.eye, 3))
-        print_setting(command, "camera.", "eye", now->camera.eye, 3);
-    if (differ(now->camera.target, file->camera.target, 3))
-        print_setting(command, "camera.", "target", now->camera.target, 3);
-    if (differ(&now->camera.fov_deg, &file->camera.fov_deg, 1))
-        print_setting(command, "camera.", "fov", &now->camera.fov_deg, 1);
-    if (differ(&now->exposure_ev, &file->exposure_ev, 1))
-        print_number(command, " --exposure ", now->exposure_ev);
-    if (differ(&now->time_s, &file->time_s, 1)) print_setting(command, "", "time", &now->time_s, 1);
-    if (differ(now->mouse, file->mouse, 4)) print_setting(command, "", "mouse", now->mouse, 4);
-    print_parameters(command, params->scene);
-    print_atmosphere(command, &now->atmosphere, &file->atmosphere);
+    print_sun(command, &now->sun);
+    print_differences(command, params->scene);
+}
+
+static void print_method(Text *text, const char *option, const char *name) {
+    if (*name) text_print(text, "%s%s", option, name);
+}
+
+void view_link(const LinkParams *params, Text *command) {
+    const Scene *scene = params->scene;
+    const SceneFile *file = scene->file;
+    const MethodNames *methods = params->methods;
+    const Sun *now = &scene->values.sun, *own = &file->values.sun;
+    print_scene(command, "view", file, params->glsl_dir);
+    if (params->width != file->width || params->height != file->height)
+        text_print(command, " --size %dx%d", params->width, params->height);
+    print_method(command, " --sky ", methods->sky);
+    print_method(command, " --further ", methods->further);
+    print_method(command, " --light ", methods->light);
+    print_method(command, " --sequence ", methods->sequence);
+    print_method(command, " --sun-disk=", methods->sun_disk);
+    if (params->seed) text_print(command, " --seed %u", params->seed);
+    if (params->max_hits) text_print(command, " --depth %d", params->max_hits);
+    if (differ(&now->elevation_deg, &own->elevation_deg, 1) ||
+        differ(&now->azimuth_deg, &own->azimuth_deg, 1))
+        print_sun(command, now);
+    print_differences(command, scene);
 }

@@ -1,8 +1,9 @@
-/* The command line that makes a picture of the window again. */
+/* The command lines that make a picture of the window again, and that open a window which shows it. */
 #pragma once
 
 #include "base/text.h"
 #include "render/renderer.h"
+#include "view/state.h"
 
 typedef struct CommandParams {
     const Scene *scene;
@@ -15,3 +16,16 @@ typedef struct CommandParams {
 /* `magichour render SCENE -o picture.exr ...` with all that differs from what the scene's file says, for a
  * shell. */
 void view_command(const CommandParams *params, Text *command);
+
+typedef struct LinkParams {
+    const Scene *scene;
+    const MethodNames *methods;
+    /* The window's size, the seed, and the number of hits that a path may have, or 0 for the usual. */
+    int width, height;
+    unsigned seed;
+    int max_hits;
+    const char *glsl_dir;
+} LinkParams;
+
+/* `magichour view SCENE ...` with all that differs from what the scene's file says, for a shell. */
+void view_link(const LinkParams *params, Text *command);

@@ -19,6 +19,7 @@ static const KeysHelp help[] = {
     {"W A S D, E Q", "fly, up and down"},
     {"R", "the scene's own camera"},
     {"C", "copy camera and sun as annotations"},
+    {"L", "copy the command that opens what is shown"},
     {"- =, M", "exposure; automatic exposure"},
     {"V", "two sides with a divider to drag; X exchanges them"},
     {"B", "the right side has a sun of its own, to drag there"},
@@ -179,6 +180,9 @@ void keys_pressed_once(ViewState *state, int key, int width) {
         break;
     case GLFW_KEY_C:
         state->wishes.copy = true;
+        break;
+    case GLFW_KEY_L:
+        state->wishes.link = true;
         break;
     case GLFW_KEY_V:
         toggle_split(state);

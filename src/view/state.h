@@ -28,7 +28,7 @@ typedef struct Notice {
 
 /* Wishes that are fulfilled once, at the next frame. */
 typedef struct Wishes {
-    bool quit, save, copy;
+    bool quit, save, copy, link;
     /* To open the panel or to close it. */
     bool panel;
 } Wishes;

@@ -172,7 +172,7 @@ static bool turn(View *view, Error *error) {
     hear(view, busy && view->window.width ? 0 : 0.05);
     if (!reload_if_changed(view, error)) return false;
     pass_time(view);
-    wishes_copy(state, &view->window);
+    wishes_copy(state, view->params, &view->window);
     if (!view->window.width) return true;
     view->picture.width = view->window.width;
     view->picture.height = view->window.height;

@@ -1,5 +1,6 @@
 #include "view/wishes.h"
 
+#include "view/command.h"
 #include "view/log.h"
 #include "view/say.h"
 
@@ -11,12 +12,26 @@ static void copy(ViewState *state, Window *window, const char *text) {
     log_end();
 }
 
-void wishes_copy(ViewState *state, Window *window) {
+static void copy_link(ViewState *state, const ViewParams *params, Window *window) {
+    Text text = {0};
+    const LinkParams link = {.scene = &state->scene,
+                             .methods = &state->methods[0],
+                             .width = window->width,
+                             .height = window->height,
+                             .seed = params->seed,
+                             .max_hits = params->max_hits,
+                             .glsl_dir = params->glsl_dir};
+    view_link(&link, &text);
+    copy(state, window, text_string(&text));
+    text_free(&text);
+}
+
+void wishes_copy(ViewState *state, const ViewParams *params, Window *window) {
     char text[512];
-    if (!state->wishes.copy) return;
-    state->wishes.copy = false;
     view_annotations(state, text, sizeof text);
-    copy(state, window, text);
+    if (state->wishes.copy) copy(state, window, text);
+    if (state->wishes.link) copy_link(state, params, window);
+    state->wishes.copy = state->wishes.link = false;
 }
 
 void wishes_save(ViewState *state, const Picture *picture) {
