@@ -110,12 +110,9 @@ const char *desktop_log(Desktop *desktop) {
     return text_string(&desktop->log);
 }
 
-void desktop_view(Desktop *desktop, const char *format, ...) {
+static void start_view(Desktop *desktop, const char *format, va_list list) {
     char arguments[2048];
-    va_list list;
-    va_start(list, format);
     vsnprintf(arguments, sizeof arguments, format, list);
-    va_end(list);
     Text command = {0};
     const char *program = getenv("MAGICHOUR");
     text_print(&command,
@@ -133,6 +130,20 @@ void desktop_view(Desktop *desktop, const char *format, ...) {
         _exit(127);
     }
     text_free(&command);
+}
+
+void desktop_start(Desktop *desktop, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    start_view(desktop, format, list);
+    va_end(list);
+}
+
+void desktop_view(Desktop *desktop, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    start_view(desktop, format, list);
+    va_end(list);
     desktop_expect(desktop, "\"frame\": 3,", "");
 }
 

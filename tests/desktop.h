@@ -16,6 +16,9 @@ int desktop_teardown(void **state);
  * before), and waits for its first pictures; one at a time. */
 void desktop_view(Desktop *desktop, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* The same without waiting. */
+void desktop_start(Desktop *desktop, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 /* Waits until the program has ended and gives its exit status. */
 int desktop_end(Desktop *desktop);
 

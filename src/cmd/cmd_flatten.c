@@ -1,6 +1,7 @@
 #include "cmd/cmd.h"
 #include "cmd/pass_json.h"
 #include "cmd/setup.h"
+#include "cmd/toy_options.h"
 #include "scene/toy_source.h"
 
 #include <stdio.h>
@@ -60,7 +61,9 @@ Status cmd_flatten(const Options *options, Error *error) {
                                .sequence = options->sequence,
                                .further = options->further,
                                .sun_disk = options->sun_disk};
-        ok = scene.file->facts.is_toy ? print_toy(&scene, error) : print_scene(options, &params, error);
+        ok = scene.file->facts.is_toy
+                 ? toy_options_check(options, scene.file, error) && print_toy(&scene, error)
+                 : print_scene(options, &params, error);
     }
     scene_destroy(&scene);
     free(library);

@@ -3,6 +3,7 @@
 #include "cmd/interrupt.h"
 #include "cmd/scene_find.h"
 #include "cmd/setup.h"
+#include "cmd/toy_options.h"
 #include "view/log.h"
 #include "view/view.h"
 
@@ -23,7 +24,10 @@ typedef struct Source {
 
 static bool load(const void *data, Scene *scene, Error *error) {
     const Source *source = data;
-    return setup_scene(source->options, source->library, scene, error);
+    if (!setup_scene(source->options, source->library, scene, error)) return false;
+    if (!scene->file->facts.is_toy || toy_options_check(source->options, scene->file, error)) return true;
+    scene_destroy(scene);
+    return false;
 }
 
 static void copy_name(char *target, size_t size, const char *name) {
@@ -83,6 +87,8 @@ Status cmd_view(const Options *options, Error *error) {
                                         : options->record ? RECORDED_SAMPLES
                                                           : 0,
                              .record = options->record,
+                             .frames = options->frames,
+                             .frame_rate = options->frame_rate,
                              .stop = interrupt_requested};
         ok = view_run(&params, error);
     }

@@ -79,7 +79,13 @@ const OptionRow option_table[] = {
     {GROUP_OUTPUT, "--aov", "LIST", R, LIST(aov, "albedo,normal,depth,samples,variance"),
      "layers of .exr, some of albedo,normal,depth,samples,variance", NULL},
     {GROUP_OUTPUT, "--record", "DIR", V, STRING(record),
-     "play a day into DIR/frame-00001.png ..., 64 samples each if --spp is not given", NULL},
+     "write DIR/frame-00001.png ... and end: of a scene a day, 64 samples each if --spp is not given; of a "
+     "file with "
+     "mainImage() ten seconds of its iTime",
+     NULL},
+    {GROUP_OUTPUT, "--frames", "N", V, TAKE(take_frames), "for --record: write so many frames", NULL},
+    {GROUP_OUTPUT, "--fps", "F", V, TAKE(take_frame_rate),
+     "for --record: frames a second, 25 by default; a day takes an hour a second", NULL},
     {GROUP_OUTPUT, "--at", "FILE.csv", S, STRING(at),
      "radiances for rows height_m,sun_el_deg,view_el_deg,az_deg (azimuth from the sun's), as CSV", NULL},
     {GROUP_OUTPUT, "--spectrum", "[=LIST]", S, OPTIONAL(spectrum),

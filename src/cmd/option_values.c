@@ -168,3 +168,14 @@ bool take_word(const char *words, const char *name, const char *value, const cha
     }
     return known_fail(&known, STATUS_USAGE, error, "%s: unknown '%s'", name, value);
 }
+
+bool take_frames(Options *options, const char *name, const char *value, Error *error) {
+    unsigned long long frames = 0;
+    if (!take_count(name, value, 1, 99999, &frames, error)) return false;
+    options->frames = (int)frames;
+    return true;
+}
+
+bool take_frame_rate(Options *options, const char *name, const char *value, Error *error) {
+    return number_parse_range(name, value, 1e-3, 1e4, &options->frame_rate, error);
+}

@@ -65,8 +65,10 @@ typedef struct Options {
     /* The wavelengths whose radiances `sky --at` writes; "auto" if the option has no list. */
     const char *spectrum;
 
-    /* The folder for the frames of a day. */
+    /* The folder for recorded frames, their number, and frames a second. */
     const char *record;
+    int frames;
+    double frame_rate;
 
     /* A list of layers such as "albedo,depth". */
     const char *aov;

@@ -70,6 +70,10 @@ void options_warn(const Options *options) {
         warn_sky(options);
         warn_no_scene(options);
         break;
+    case COMMAND_VIEW:
+        warn(options->frames && !options->record, "--frames", "nothing is recorded without --record");
+        warn(options->frame_rate > 0 && !options->record, "--fps", "nothing is recorded without --record");
+        break;
     case COMMAND_INFO:
         warn(options->backend && options->input_count, "--backend", "with a scene, info opens no backend");
         warn(options->glsl_dir && !options->input_count, "--glsl-dir", "there is no scene");

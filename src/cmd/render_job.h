@@ -37,6 +37,9 @@ double render_bias(const RenderJob *job, NoiseMeasure measure);
 /* Adds the metadata from which the picture can be made again, and what is known of its error. */
 void render_describe(const RenderJob *job, int argc, char **argv, AttributeList *list);
 
+/* Prints the backend on standard error. */
+void render_say_backend(const RenderJob *job);
+
 /* Prints the methods, the backend and the files on standard error (-v). */
 void render_say_choices(const RenderJob *job);
 

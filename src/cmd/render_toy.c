@@ -5,6 +5,7 @@
 #include "base/version.h"
 #include "cmd/interrupt.h"
 #include "cmd/outputs.h"
+#include "cmd/toy_options.h"
 #include "image/format.h"
 #include "render/toy.h"
 
@@ -16,53 +17,6 @@
 
 bool render_is_toy(const RenderJob *job) {
     return job->scene.file->facts.is_toy;
-}
-
-/* The first option that is about light, or NULL. */
-static const char *useless_option(const Options *options) {
-    const struct {
-        bool given;
-        const char *name;
-    } all[] = {{options->error.amount > 0, "--error"},
-               {options->seconds > 0, "--time"},
-               {options->seed != 0, "--seed"},
-               {options->depth != 0, "--depth"},
-               {options->aov, "--aov"},
-               {options->has_sun, "--sun"},
-               {options->sun_disk, "--sun-disk"},
-               {options->atmosphere, "--atmosphere"},
-               {options->orders, "--orders"},
-               {options->sky, "--sky"},
-               {options->further, "--further"},
-               {options->light, "--light"},
-               {options->sequence, "--sequence"},
-               {options->has_exposure, "--exposure"},
-               {options->tone && strcmp(options->tone, "none") != 0, "--tone"}};
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        if (all[i].given) return all[i].name;
-    }
-    return NULL;
-}
-
-/* Settings of what is not there. */
-static const char *useless_setting(const Options *options) {
-    static const char *const scenes[] = {"sun.", "camera.", "atmosphere.", "exposure="};
-    for (int i = 0; i < options->setting_count; i++) {
-        for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
-            if (strncmp(options->settings[i], scenes[k], strlen(scenes[k])) == 0) return options->settings[i];
-        }
-    }
-    return NULL;
-}
-
-static bool check(const RenderJob *job, Error *error) {
-    const char *option = useless_option(job->options), *setting = useless_setting(job->options);
-    if (!option && !setting) return true;
-    return error_set(
-        error, STATUS_USAGE,
-        "%s%s: %s paints its picture by itself (%s), without sky, light and camera: leave it out; "
-        "--size, --spp, --set time=SECONDS and --set mouse=X,Y,Z,W are for such files",
-        option ? "" : "--set ", option ? option : setting, job->scene.file->path, "mainImage() or main()");
 }
 
 /* Places in a pixel that fill it evenly, however many they are; the first is the middle. These are Roberts's
@@ -179,6 +133,7 @@ static bool run(RenderJob *job, Toy *toy, int argc, char **argv, Error *error) {
         !toy_resize(toy, &job->context, width, height, error))
         return false;
     toy_say_notes(toy, stderr);
+    if (job->options->verbose) render_say_backend(job);
     job->figures.startup_seconds = clock_seconds() - start;
     double *sums = memory_get(4 * (size_t)width * (size_t)height, sizeof *sums);
     bool ok = draw(job, toy, sums, error);
@@ -191,7 +146,9 @@ static bool run(RenderJob *job, Toy *toy, int argc, char **argv, Error *error) {
 
 bool render_toy(RenderJob *job, int argc, char **argv, Error *error) {
     Toy toy = {0};
-    if (!check(job, error) || !context_open(&job->context, job->options->backend, error)) return false;
+    if (!toy_options_check(job->options, job->scene.file, error) ||
+        !context_open(&job->context, job->options->backend, error))
+        return false;
     bool ok = run(job, &toy, argc, argv, error);
     toy_destroy(&toy);
     return ok;

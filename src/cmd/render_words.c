@@ -11,10 +11,14 @@ static void say_why(const char *what, const MethodChoice *choice) {
     if (choice->why[0]) fprintf(stderr, "auto took %s %s: %s\n", what, choice->text, choice->why);
 }
 
-void render_say_choices(const RenderJob *job) {
-    const Renderer *renderer = &job->renderer;
+void render_say_backend(const RenderJob *job) {
     fprintf(stderr, "backend %s (%s): %s, OpenGL %s\n", job->context.backend->name, job->context.detail,
             job->context.renderer, job->context.version);
+}
+
+void render_say_choices(const RenderJob *job) {
+    const Renderer *renderer = &job->renderer;
+    render_say_backend(job);
     fprintf(stderr, "sky %s, sun disk %s, light %s, sequence %s, at most %d hits, groups of %u samples\n",
             renderer->plan.sky.text, renderer->plan.sun.text, renderer->plan.light.text,
             renderer->plan.sequence.text, renderer->plan.max_hits, renderer->plan.group_samples);

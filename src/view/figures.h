@@ -15,7 +15,7 @@ typedef struct ErrorCurve {
 
 typedef struct SideFigures {
     /* The names of the methods in use. */
-    char methods[192];
+    char methods[208];
     /* Samples of each pixel, or frames of a Shadertoy program. */
     uint64_t samples;
     /* The estimated error. NaN while it is not known. */

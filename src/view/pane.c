@@ -4,6 +4,7 @@
 #include "base/text.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -245,4 +246,25 @@ bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
     if (!estimate(pane, params, error)) return false;
     curve_extend(&pane->curve, pane->seconds, pane->error_percent);
     return true;
+}
+
+void pane_figures(const Pane *pane, SideFigures *figures) {
+    const Renderer *renderer = &pane->renderer;
+    figures->prepared = renderer->gl ? renderer->prepared : 1;
+    if (!renderer->gl) return;
+    const char *disk = renderer->plan.sun.text;
+    bool has_disk = renderer->plan.sun.method->has_disk;
+    snprintf(figures->methods, sizeof figures->methods, "%s, %s, %s%s%s", renderer->plan.sky.text,
+             renderer->plan.light.text, renderer->plan.sequence.text, has_disk ? ", disk " : "",
+             has_disk ? disk : "");
+    figures->samples = pane_is_ready(pane) ? renderer->film.samples : 0;
+    figures->error_percent = pane->error_percent;
+    figures->error_levels = pane->error_levels;
+    figures->worst_levels = pane->worst_levels;
+    figures->chance_percent = pane->chance_percent;
+    bool preview = pane->preview_samples && pane->preview_rate > 0;
+    figures->paths_per_second = preview ? pane->preview_rate : pane->paths_per_second;
+    figures->seconds = pane->seconds;
+    figures->coarseness = pane->preview_samples ? pane->coarseness : 1;
+    figures->curve = pane->curve;
 }

@@ -88,3 +88,6 @@ MUST_CHECK bool pane_draw(Pane *pane, const PaneParams *params, Error *error);
 
 /* Says whether all samples were taken. */
 bool pane_rests(const Pane *pane, const PaneParams *params);
+
+/* Fills in what the overlay says of the picture. */
+void pane_figures(const Pane *pane, SideFigures *figures);

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "view/carry.h"
+#include "view/play.h"
 #include "view/window.h"
 
 #include <math.h>
@@ -98,11 +99,9 @@ bool picture_update(Picture *picture, ViewState *state, Error *refusal, Error *e
 
 static bool draw_toy(Picture *picture, const ViewState *state, bool *drew, Error *error) {
     Toy *toy = &picture->toy;
-    double delta = toy->frame ? state->clock_seconds - toy->moment.time_s : 0;
-    ToyMoment moment = {.time_s = state->clock_seconds, .delta_s = fmax(delta, 0), .by_clock = true};
+    ToyMoment moment = play_moment(toy, picture->params, state, picture->height);
     if (picture_rests(picture, state)) return true;
     *drew = true;
-    view_mouse(state, picture->height, moment.mouse);
     return toy_draw(toy, &state->scene, &moment, rest_budget_s, window_calls, error);
 }
 
@@ -135,6 +134,11 @@ bool picture_rests(const Picture *picture, const ViewState *state) {
         if (!pane_rests(&picture->panes[i], &params)) return false;
     }
     return true;
+}
+
+bool picture_has_frame(const Picture *picture, const ViewState *state, int done) {
+    const Toy *toy = &picture->toy;
+    return is_toy(picture) ? toy->row == 0 && toy->frame > done : picture_rests(picture, state);
 }
 
 /* Reloads all sides, or none if one of them fails. */
@@ -224,27 +228,6 @@ DisplayParams picture_display(const Picture *picture, const ViewState *state) {
     return params;
 }
 
-static void fill_side(SideFigures *figures, const Pane *pane) {
-    const Renderer *renderer = &pane->renderer;
-    figures->prepared = renderer->gl ? renderer->prepared : 1;
-    if (!renderer->gl) return;
-    const char *disk = renderer->plan.sun.text;
-    bool has_disk = renderer->plan.sun.method->has_disk;
-    snprintf(figures->methods, sizeof figures->methods, "%s, %s, %s%s%s", renderer->plan.sky.text,
-             renderer->plan.light.text, renderer->plan.sequence.text, has_disk ? ", disk " : "",
-             has_disk ? disk : "");
-    figures->samples = pane_is_ready(pane) ? renderer->film.samples : 0;
-    figures->error_percent = pane->error_percent;
-    figures->error_levels = pane->error_levels;
-    figures->worst_levels = pane->worst_levels;
-    figures->chance_percent = pane->chance_percent;
-    bool preview = pane->preview_samples && pane->preview_rate > 0;
-    figures->paths_per_second = preview ? pane->preview_rate : pane->paths_per_second;
-    figures->seconds = pane->seconds;
-    figures->coarseness = pane->preview_samples ? pane->coarseness : 1;
-    figures->curve = pane->curve;
-}
-
 /* The pixel is not known either while the scene's file is broken. */
 static bool fill_pixel(Picture *picture, const ViewState *state, PixelFigures *pixel, Error *error) {
     int side = state->split && state->pointer[0] > state->divider * picture->width ? 1 : 0;
@@ -271,7 +254,7 @@ bool picture_figures(Picture *picture, const ViewState *state, ViewFigures *figu
                                           .prepared = 1};
         return true;
     }
-    for (int i = 0; i < MOST_SIDES; i++) fill_side(&figures->sides[i], &picture->panes[i]);
+    for (int i = 0; i < MOST_SIDES; i++) pane_figures(&picture->panes[i], &figures->sides[i]);
     return fill_pixel(picture, state, &figures->pixel, error);
 }
 

@@ -50,6 +50,9 @@ bool picture_hurries(const Picture *picture, const ViewState *state);
 /* Says whether nothing is left to draw. */
 bool picture_rests(const Picture *picture, const ViewState *state);
 
+/* Says whether the picture is a frame to be recorded, when `done` frames were recorded before. */
+bool picture_has_frame(const Picture *picture, const ViewState *state, int done);
+
 /* Reads the scene's file again. What was set in the window stays. A file with an error changes nothing. */
 MUST_CHECK bool picture_reload(Picture *picture, ViewState *state, Error *error);
 

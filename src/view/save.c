@@ -136,7 +136,7 @@ bool save_picture(const SaveParams *params, const char *name, bool exr, Error *e
 
 bool save_texture(const Target *target, const char *path, const char *name, bool exr, Error *error) {
     AttributeList attributes = {0};
-    ImageWriteParams write = {.tone = TONE_NONE, .attributes = &attributes};
+    ImageWriteParams write = {.tone = TONE_SCREEN, .attributes = &attributes};
     Image image = image_create(target->width, target->height);
     size_t row = 4 * (size_t)image.width;
     float *texels = memory_get(row * (size_t)image.height, sizeof *texels);
@@ -144,7 +144,7 @@ bool save_texture(const Target *target, const char *path, const char *name, bool
     for (int y = 0; y < image.height; y++) {
         for (size_t i = 0; i < row; i++) {
             float v = texels[(size_t)(image.height - 1 - y) * row + i];
-            image.rgba[(size_t)y * row + i] = i % 4 < 3 ? linear_from_srgb(v) : 1.0f;
+            image.rgba[(size_t)y * row + i] = i % 4 < 3 ? v : 1.0f;
         }
     }
     attribute_add(&attributes, "magichour.version", "%s", MAGICHOUR_VERSION);

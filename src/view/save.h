@@ -21,8 +21,8 @@ typedef struct SaveParams {
  * NAME is that of the scene's file. */
 void save_choose_name(const Scene *scene, char *name, size_t size);
 
-/* Saves a texture that holds a picture as a screen shows it. Its row 0 is at the bottom. In the EXR it is
- * converted to linear light. */
+/* Saves a texture that holds a picture as a screen shows it. Its row 0 is at the bottom. The EXR has the
+ * same numbers. */
 MUST_CHECK bool save_texture(const Target *target, const char *path, const char *name, bool exr,
                              Error *error);
 

@@ -7,6 +7,8 @@
 #include "view/meter.h"
 #include "view/overlay.h"
 #include "view/picture.h"
+#include "view/play.h"
+#include "view/record.h"
 #include "view/say.h"
 #include "view/wishes.h"
 
@@ -25,6 +27,7 @@ typedef struct View {
     Display display;
     Picture picture;
     Meter meter;
+    PlayNotes notes;
     Watch watch;
     Controls controls;
     ViewFigures figures;
@@ -81,30 +84,6 @@ static bool reload_if_changed(View *view, Error *error) {
     return true;
 }
 
-static void advance_day(ViewState *state, double hours) {
-    double elevation, azimuth;
-    day_advance(&state->day, hours);
-    day_sun(&state->day, &elevation, &azimuth);
-    scene_set_sun(&state->scene, elevation, azimuth);
-}
-
-/* While a day is recorded, the sun moves on when a frame is done, and the window closes at the day's end. */
-static bool record(View *view, Error *error) {
-    static const double frames_per_second = 25;
-    ViewState *state = &view->state;
-    char name[4096];
-    double step = state->hours_per_second / frames_per_second;
-    if (!picture_rests(&view->picture, state)) return true;
-    snprintf(name, sizeof name, "%s/frame-%05d", view->params->record, ++view->recorded);
-    if (!picture_save(&view->picture, state, name, false, error)) return false;
-    log_begin("recorded");
-    log_text("name", name);
-    log_end();
-    advance_day(state, step);
-    if (view->recorded * step >= day_length(&state->day)) state->wishes.quit = true;
-    return true;
-}
-
 static void pass_time(View *view) {
     ViewState *state = &view->state;
     double now = clock_seconds(), passed = fmin(now - view->flown, 0.1);
@@ -112,7 +91,7 @@ static void pass_time(View *view) {
     controls_fly(&view->controls, state, passed);
     if (state->clock_running) state->clock_seconds += passed;
     if (!state->playing || view->params->record) return;
-    advance_day(state, passed * state->hours_per_second);
+    record_advance_day(state, passed * state->hours_per_second);
 }
 
 static void hear(View *view, double wait_s) {
@@ -187,11 +166,14 @@ static bool turn(View *view, Error *error) {
     bool drew = false;
     if (!picture_draw(&view->picture, state, &drew, error)) return false;
     view->news |= drew;
+    if (!play_say(&view->notes, &view->picture.toy, state, error)) return false;
     /* The last figures are to be shown too. */
     if (drew && picture_rests(&view->picture, state)) view->linger = 2;
     if (!adapt(view, error)) return false;
     if (!view->adapting) wishes_save(state, &view->picture);
-    if (view->params->record && state->playing && !record(view, error)) return false;
+    if (view->params->record && state->playing &&
+        !record_frame(&view->recorded, &view->picture, state, error))
+        return false;
     if (!due || !(view->news || view->linger)) return true;
     view->news = false;
     return present(view, error);

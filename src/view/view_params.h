@@ -28,7 +28,10 @@ typedef struct ViewParams {
     int max_hits;
     /* A picture is done after this number of samples of each pixel. 0 means a large number. */
     uint64_t samples;
-    /* The folder for the frames of a day, which is played once. NULL means that nothing is recorded. */
+    /* The folder for frames (view/record.h). NULL means that nothing is recorded. */
     const char *record;
+    /* The number of frames, and frames a second. 0 means the usual (view/record.h). */
+    int frames;
+    double frame_rate;
     bool (*stop)(void);
 } ViewParams;

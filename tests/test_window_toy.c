@@ -1,0 +1,90 @@
+/* Files that paint their pictures by themselves, in the window: frames that are recorded, each file of
+ * tests/data/toys among them (tests/test_toy.c says what they expect). */
+#include "desktop.h"
+#include "image/tone.h"
+#include "toys.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+static Image read_frame(const char *name) {
+    Image image;
+    Error error;
+    if (!image_read(&image, support_path(name), &error)) fail_msg("%s", error.text);
+    return image;
+}
+
+/* The third frame of a record at a frame a second is that of iTime 2. */
+static void test_toys(void **state) {
+    (void)state;
+    char words[300];
+    int count = 0;
+    for (const char *toy; (toy = toys_next()); count++) {
+        bool refused = toys_line(toy, "refused", 0, words, sizeof words);
+        desktop_start(window, "\"$here\"/%s --size 40x30 --record . --frames 3 --fps 1", toy);
+        int status = desktop_end(window);
+        if (status != (refused ? 3 : 0)) fail_msg("%s: status %d: %s", toy, status, desktop_log(window));
+        for (int i = 0; toys_line(toy, refused ? "refused" : "warns", i, words, sizeof words); i++) {
+            if (!strstr(desktop_log(window), words))
+                fail_msg("%s: no '%s' in: %s", toy, words, desktop_log(window));
+        }
+        if (refused) continue;
+        Image image = read_frame("frame-00003.png");
+        toys_check(toy, &image);
+        image_free(&image);
+        assert_int_not_equal(access(support_path("frame-00004.png"), F_OK), 0);
+        assert_int_equal(unlink(support_path("frame-00003.png")), 0);
+    }
+    assert_true(count >= 30);
+}
+
+#define CLOCK                                                                                                \
+    "void mainImage(out vec4 c, in vec2 p) {\n"                                                              \
+    "    c = vec4(iTime, iTimeDelta, float(iFrame), 1.0) / vec4(1.0, 1.0, 255.0, 1.0);\n"                    \
+    "    c.b += texture(iChannel0, p / iResolution.xy).b;\n}\n"
+
+static void expect_level(const Image *image, int channel, double wanted) {
+    double level = tone_level(TONE_NONE, 1, (double)image->rgba[channel]);
+    if (fabs(level - wanted) > 1.01) fail_msg("channel %d: %g, not %g", channel, level, wanted);
+}
+
+/* Frames follow the number of the frame, and not the clock; each sees the one before. */
+static void test_clock(void **state) {
+    (void)state;
+    const char *toy = support_write("clock.glsl", CLOCK);
+    desktop_start(window, "'%s' --size 8x8 --set time=0.25 --record clock --frames 12 --fps 20", toy);
+    assert_int_equal(desktop_end(window), 0);
+    Image frame = read_frame("clock/frame-00011.png");
+    expect_level(&frame, 0, 255 * 0.75);
+    expect_level(&frame, 1, 255 * 0.05);
+    /* 0 + 1 + ... + 10 */
+    expect_level(&frame, 2, 55);
+    image_free(&frame);
+}
+
+/* A day of a scene is cut to so many frames, which are so far apart. */
+static void test_scene(void **state) {
+    (void)state;
+    desktop_start(
+        window,
+        "\"$here\"/scenes/crater.glsl --size 32x18 --spp 4 --sun 20,0 --record day --frames 2 --fps 50");
+    assert_int_equal(desktop_end(window), 0);
+    assert_int_equal(access(support_path("day/frame-00002.png"), F_OK), 0);
+    assert_int_not_equal(access(support_path("day/frame-00003.png"), F_OK), 0);
+    support_expect(2, "--sky: tests/data/toys/plain.glsl paints",
+                   "view tests/data/toys/plain.glsl --sky table");
+    support_expect(2, "--frames: 0 is outside the range from 1", "view scenes/crater.glsl --frames 0");
+    support_expect(2, "--fps: ", "view scenes/crater.glsl --fps 0");
+}
+
+int main(int argc, char **argv) {
+    if (argc > 1) cmocka_set_test_filter(argv[1]);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_toys, desktop_setup, desktop_teardown),
+        cmocka_unit_test_setup_teardown(test_clock, desktop_setup, desktop_teardown),
+        cmocka_unit_test_setup_teardown(test_scene, desktop_setup, desktop_teardown),
+    };
+    return cmocka_run_group_tests_name("window_toy", tests, support_folder, support_clean);
+}
