@@ -1,5 +1,7 @@
 #include "desktop.h"
 
+#include "drop.h"
+
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/text.h"
@@ -194,6 +196,17 @@ void desktop_also(Desktop *desktop, const char *format, ...) {
     va_start(list, format);
     run(desktop, format, list);
     va_end(list);
+}
+
+void desktop_drop(Desktop *desktop, const char *title, const char *path) {
+    char command[256];
+    unsigned long target = 0;
+    snprintf(command, sizeof command, "DISPLAY=:%d xdotool search --name '%s'", desktop->number, title);
+    FILE *answer = popen(command, "r");
+    if (!answer || fscanf(answer, "%lu", &target) != 1) fail_msg("there is no window %s", title);
+    pclose(answer);
+    desktop_do(desktop, "mousemove 700 500");
+    if (!drop_file(desktop->number, target, 100, 100, path)) fail_msg("%s: the window did not take it", path);
 }
 
 static bool line_has(const char *line, size_t length, const char *words) {

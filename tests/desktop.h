@@ -36,6 +36,9 @@ void desktop_do(Desktop *desktop, const char *format, ...) __attribute__((format
 /* The same, and the log's news goes on from where it was. */
 void desktop_also(Desktop *desktop, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Drops a file on the window with that title. */
+void desktop_drop(Desktop *desktop, const char *title, const char *path);
+
 /* Waits for a line of news with these words; both may be empty. Fails the test when none comes. */
 const char *desktop_expect(Desktop *desktop, const char *words, const char *more_words);
 

@@ -133,6 +133,8 @@ void controls_event(Controls *controls, ViewState *state, const WindowEvent *eve
     case WINDOW_FOCUS:
         if (!event->action) controls_release(controls);
         break;
+    case WINDOW_DROP:
+        break;
     }
 }
 

@@ -1,6 +1,7 @@
 /* The figures that the overlay shows about the pictures. */
 #pragma once
 
+#include "view/menu.h"
 #include "view/state.h"
 
 #include <stdint.h>
@@ -53,6 +54,7 @@ typedef struct ViewFigures {
     /* Pixels per unit of the window's coordinates. */
     double scale;
     const char *gl_renderer;
+    const SceneMenu *menu;
     /* False if a Shadertoy program is shown in place of a scene. */
     bool scene;
 } ViewFigures;

@@ -27,6 +27,7 @@ static const KeysHelp help[] = {
     {"I", "the pixel under the pointer"},
     {"P", "save what is shown as EXR and PNG"},
     {"Space, Z", "run, reset the scene's iTime"},
+    {"drop a file", "open a scene"},
     {"N", "open and close the panel"},
     {"F1, ?", "this list of keys"},
     {"H, Esc", "hide the overlay, quit"},

@@ -140,6 +140,8 @@ static void tell(const Overlay *overlay, const WindowEvent &event) {
     case WINDOW_FOCUS:
         ImGui_ImplGlfw_WindowFocusCallback(handle, event.action);
         break;
+    case WINDOW_DROP:
+        break;
     }
 }
 

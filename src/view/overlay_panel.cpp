@@ -178,6 +178,34 @@ static void split_section(ViewState *state, const ViewFigures *figures) {
     ImGui::PopID();
 }
 
+static void scene_list(ViewState *state, const char *heading, const SceneList *list) {
+    if (!list->count) return;
+    ImGui::TextColored(grey, "%s", heading);
+    for (int i = 0; i < list->count; i++) {
+        const SceneEntry *entry = &list->entries[i];
+        const char *slash = strrchr(entry->path, '/'), *open = strrchr(state->file.file->path, '/');
+        bool is_open = strcmp(slash + 1, open ? open + 1 : state->file.file->path) == 0;
+        ImGui::PushID(entry->path);
+        if (ImGui::Selectable(entry->name, is_open)) view_open(state, entry->path);
+        tooltip(entry->path);
+        if (*entry->title) {
+            ImGui::SameLine(em(9));
+            ImGui::TextColored(grey, "%s", entry->title);
+        }
+        ImGui::PopID();
+    }
+}
+
+/* The lists are read when this part is unfolded. */
+static void open_section(ViewState *state, const SceneMenu *menu) {
+    bool unfolded = ImGui::CollapsingHeader("open a scene");
+    if (unfolded && ImGui::IsItemToggledOpen()) state->wishes.list = true;
+    if (!unfolded) return;
+    scene_list(state, "beside this one", &menu->beside);
+    scene_list(state, "installed", &menu->installed);
+    ImGui::TextColored(grey, "or drop a file on the window");
+}
+
 static void scene_panel(ViewState *state, const ViewFigures *figures) {
     sun_section(state);
     if (state->scene.file->preset_count && ImGui::CollapsingHeader("presets", ImGuiTreeNodeFlags_DefaultOpen))
@@ -205,6 +233,7 @@ static void panel_content(ViewState *state, const ViewFigures *figures) {
         ImGui::Text("frame %llu, %.2f s", (unsigned long long)figures->sides[0].samples,
                     state->clock_seconds);
     }
+    open_section(state, figures->menu);
     if (ImGui::Button("keys")) state->help = true;
     ImGui::SameLine();
     ImGui::TextColored(grey, "%dx%d, %.0f ms a frame", figures->width, figures->height,

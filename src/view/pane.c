@@ -158,6 +158,11 @@ void pane_take(Pane *pane, const PaneParams *params, const Renderer *next) {
     pane->changed = true;
 }
 
+void pane_hurry(Pane *pane) {
+    /* No picture has this size. */
+    pane->width = 0;
+}
+
 void pane_destroy(Pane *pane) {
     renderer_destroy(&pane->renderer);
     film_destroy(&pane->kept);

@@ -76,6 +76,8 @@ MUST_CHECK bool pane_update(Pane *pane, const PaneParams *params, Error *error);
  * picture stays until the next one has begun. */
 MUST_CHECK bool pane_compile(const PaneParams *params, Renderer *next, Error *error);
 void pane_take(Pane *pane, const PaneParams *params, const Renderer *next);
+/* Makes the next update start anew, with a preview. */
+void pane_hurry(Pane *pane);
 void pane_destroy(Pane *pane);
 
 /* Says whether the tables are ready. Before that the pane shows the picture of before. */

@@ -1,7 +1,6 @@
 #include "view/picture.h"
 
 #include "base/clock.h"
-#include "view/carry.h"
 #include "view/play.h"
 #include "view/window.h"
 
@@ -35,7 +34,7 @@ bool picture_hurries(const Picture *picture, const ViewState *state) {
     return !ready || moves(picture);
 }
 
-static PaneParams pane_params(const Picture *picture, const ViewState *state, int side, const Scene *scene) {
+PaneParams picture_pane_params(const Picture *picture, const ViewState *state, int side, const Scene *scene) {
     const ViewParams *params = picture->params;
     bool moving = moves(picture);
     return (PaneParams){.context = picture->context,
@@ -55,8 +54,7 @@ static PaneParams pane_params(const Picture *picture, const ViewState *state, in
 bool picture_create(Picture *picture, const ViewParams *params, const Context *context, ViewState *state,
                     Error *error) {
     *picture = (Picture){.params = params, .context = context};
-    state->clock_running = state->file.file->facts.is_toy;
-    return !state->clock_running || toy_compile(&picture->toy, context, state->file.file, error);
+    return !state->file.file->facts.is_toy || toy_compile(&picture->toy, context, state->file.file, error);
 }
 
 void picture_destroy(Picture *picture) {
@@ -67,7 +65,7 @@ void picture_destroy(Picture *picture) {
 
 static bool update_side(Picture *picture, ViewState *state, int side, Error *refusal, Error *error) {
     Scene scene = view_scene(state, side);
-    PaneParams params = pane_params(picture, state, side, &scene);
+    PaneParams params = picture_pane_params(picture, state, side, &scene);
     Pane *pane = &picture->panes[side];
     if (pane_update(pane, &params, error)) {
         if (pane->changed) picture->changed = clock_seconds();
@@ -108,7 +106,7 @@ static bool draw_toy(Picture *picture, const ViewState *state, bool *drew, Error
 /* Two sides at rest get the same time, so that a side which was opened or changed later catches up. */
 static bool is_ahead(const Picture *picture, const ViewState *state, int side) {
     const Pane *pane = &picture->panes[side], *other = &picture->panes[1 - side];
-    PaneParams params = pane_params(picture, state, 1 - side, NULL);
+    PaneParams params = picture_pane_params(picture, state, 1 - side, NULL);
     if (!state->split || pane->preview_samples || other->preview_samples) return false;
     return pane->seconds > other->seconds && !pane_rests(other, &params);
 }
@@ -117,7 +115,7 @@ bool picture_draw(Picture *picture, const ViewState *state, bool *drew, Error *e
     if (is_toy(picture)) return draw_toy(picture, state, drew, error);
     for (int i = 0; i < side_count(state); i++) {
         Scene scene = view_scene(state, i);
-        PaneParams params = pane_params(picture, state, i, &scene);
+        PaneParams params = picture_pane_params(picture, state, i, &scene);
         Pane *pane = &picture->panes[i];
         *drew |= !pane_rests(pane, &params);
         if (is_ahead(picture, state, i)) continue;
@@ -130,7 +128,7 @@ bool picture_rests(const Picture *picture, const ViewState *state) {
     const Toy *toy = &picture->toy;
     if (is_toy(picture)) return !state->clock_running && toy->frame > 0 && toy->row == 0;
     for (int i = 0; i < side_count(state); i++) {
-        PaneParams params = pane_params(picture, state, i, NULL);
+        PaneParams params = picture_pane_params(picture, state, i, NULL);
         if (!pane_rests(&picture->panes[i], &params)) return false;
     }
     return true;
@@ -139,66 +137,6 @@ bool picture_rests(const Picture *picture, const ViewState *state) {
 bool picture_has_frame(const Picture *picture, const ViewState *state, int done) {
     const Toy *toy = &picture->toy;
     return is_toy(picture) ? toy->row == 0 && toy->frame > done : picture_rests(picture, state);
-}
-
-/* Reloads all sides, or none if one of them fails. */
-static bool reload_sides(Picture *picture, const ViewState *state, Error *error) {
-    Renderer next[MOST_SIDES] = {{0}};
-    Scene scenes[MOST_SIDES];
-    PaneParams params[MOST_SIDES];
-    bool ok = true;
-    for (int i = 0; ok && i < side_count(state); i++) {
-        scenes[i] = view_scene(state, i);
-        params[i] = pane_params(picture, state, i, &scenes[i]);
-        ok = pane_compile(&params[i], &next[i], error);
-    }
-    for (int i = 0; i < side_count(state); i++) {
-        if (ok)
-            pane_take(&picture->panes[i], &params[i], &next[i]);
-        else
-            renderer_destroy(&next[i]);
-    }
-    return ok;
-}
-
-static bool reload_content(Picture *picture, ViewState *state, Error *error) {
-    const SceneFile *file = state->scene.file;
-    if (file->facts.is_toy) {
-        if (!toy_compile(&picture->toy, picture->context, file, error)) return false;
-        for (int i = 0; i < MOST_SIDES; i++) pane_destroy(&picture->panes[i]);
-        return true;
-    }
-    if (!reload_sides(picture, state, error)) return false;
-    toy_destroy(&picture->toy);
-    return true;
-}
-
-bool picture_reload(Picture *picture, ViewState *state, Error *error) {
-    Scene before = state->scene, file;
-    bool is_anchor = exposure_is_anchor(&state->exposure, &before.values);
-    if (!picture->params->load(picture->params->data, &file, error)) return false;
-    state->scene = file;
-    carry_over(&state->scene, &state->file, &before);
-    if (!reload_content(picture, state, error)) {
-        state->scene = before;
-        scene_destroy(&file);
-        return false;
-    }
-    exposure_reload(&state->exposure, &state->file.values, &file.values, &state->scene.values, is_anchor);
-    scene_destroy(&state->file);
-    state->file = file;
-    picture->good_scene = state->scene;
-    picture->pictures++;
-    inspect_destroy(&picture->inspect);
-    return true;
-}
-
-void picture_watch(Picture *picture, const ViewState *state, Watch *watch) {
-    const SceneFile *file = state->scene.file;
-    watch_add_file(watch, picture->params->path);
-    watch_add(watch, file->sources);
-    picture->wants_time = !file->facts.is_toy && scene_facts_mention(&file->facts, INPUT_TIME);
-    picture->wants_mouse = !file->facts.is_toy && scene_facts_mention(&file->facts, INPUT_MOUSE);
 }
 
 static DisplaySide display_side(const Pane *pane) {
@@ -275,6 +213,6 @@ bool picture_save(const Picture *picture, const ViewState *state, const char *na
                          .context = picture->context,
                          .max_hits = picture->params->max_hits,
                          .glsl_dir = picture->params->glsl_dir};
-    if (is_toy(picture)) return save_texture(&picture->toy.target, picture->params->path, name, exr, error);
+    if (is_toy(picture)) return save_texture(&picture->toy.target, state->file.file->path, name, exr, error);
     return save_picture(&params, name, exr, error);
 }

@@ -53,11 +53,8 @@ bool picture_rests(const Picture *picture, const ViewState *state);
 /* Says whether the picture is a frame to be recorded, when `done` frames were recorded before. */
 bool picture_has_frame(const Picture *picture, const ViewState *state, int done);
 
-/* Reads the scene's file again. What was set in the window stays. A file with an error changes nothing. */
-MUST_CHECK bool picture_reload(Picture *picture, ViewState *state, Error *error);
-
-/* Adds all files that the picture is made of to `watch`, also a file of spheres. */
-void picture_watch(Picture *picture, const ViewState *state, Watch *watch);
+/* What a side has to show. `scene` is that side's. */
+PaneParams picture_pane_params(const Picture *picture, const ViewState *state, int side, const Scene *scene);
 
 DisplayParams picture_display(const Picture *picture, const ViewState *state);
 

@@ -1,8 +1,7 @@
 #include "view/remember.h"
 
-#include "base/text.h"
+#include "base/file.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -34,8 +33,6 @@ void remember_write(const char *path, const char *text) {
         *slash = '/';
     }
     free(folder);
-    FILE *file = fopen(path, "w");
-    if (!file) return;
-    fputs(text, file);
-    fclose(file);
+    Error ignored;
+    (void)!file_replace(path, text, strlen(text), &ignored);
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 void view_notice(ViewState *state, const char *format, ...) {
@@ -52,6 +53,11 @@ void view_turn_sun(ViewState *state, int side, double elevation_deg, double azim
     Scene scene = view_scene(state, side);
     view_set_sun(state, side, scene.values.sun.elevation_deg + elevation_deg,
                  scene.values.sun.azimuth_deg + azimuth_deg);
+}
+
+void view_open(ViewState *state, const char *path) {
+    free(state->wishes.open);
+    state->wishes.open = strdup(path);
 }
 
 void view_set_exposure(ViewState *state, double exposure_ev) {

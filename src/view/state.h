@@ -31,11 +31,17 @@ typedef struct Wishes {
     bool quit, save, copy, link;
     /* To open the panel or to close it. */
     bool panel;
+    /* To list the scenes that can be opened. */
+    bool list;
+    /* The path of a scene to open, owned; NULL if there is none. */
+    char *open;
 } Wishes;
 
 typedef struct ViewState {
     /* The scene of the file and the command line. It owns the path. */
     Scene file;
+    /* Whether the scene was opened in the window, so that the command line's settings are not its own. */
+    bool opened;
     /* The scene as it is now. */
     Scene scene;
     /* The automatic exposure. While it is on, it sets the scene's. */
@@ -98,6 +104,9 @@ void view_set_sun(ViewState *state, int side, double elevation_deg, double azimu
 
 /* Turns a side's sun from where it is. */
 void view_turn_sun(ViewState *state, int side, double elevation_deg, double azimuth_deg);
+
+/* Wishes to open a scene. The last wish holds. */
+void view_open(ViewState *state, const char *path);
 
 /* Sets the exposure by hand, which turns the automatic one off. */
 void view_set_exposure(ViewState *state, double exposure_ev);

@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "view/controls.h"
 #include "view/frame_log.h"
+#include "view/load.h"
 #include "view/log.h"
 #include "view/meter.h"
 #include "view/overlay.h"
@@ -14,6 +15,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* The time between two pictures that are shown while the user does nothing. */
@@ -30,6 +32,7 @@ typedef struct View {
     PlayNotes notes;
     Watch watch;
     Controls controls;
+    SceneMenu menu;
     ViewFigures figures;
     /* When the first event came that no picture has answered yet; 0 if there is none. */
     double heard;
@@ -57,23 +60,23 @@ static bool show(View *view, Error *error) {
 static void set_title(View *view) {
     const char *title = view->state.file.file->title;
     char text[200];
-    snprintf(text, sizeof text, "%s - magichour", *title ? title : view->params->path);
+    snprintf(text, sizeof text, "%s - magichour", *title ? title : view->state.file.file->path);
     window_set_title(&view->window, text);
 }
 
 static bool reload_if_changed(View *view, Error *error) {
     if (!watch_changed(&view->watch)) return true;
     double start = clock_seconds();
-    bool ok = picture_reload(&view->picture, &view->state, error);
+    bool ok = load_again(&view->picture, &view->state, error);
     if (ok) {
-        view_notice(&view->state, "%s: read again", view->params->path);
+        view_notice(&view->state, "%s: read again", view->state.file.file->path);
         set_title(view);
     } else if (view_is_refusal(error)) {
         say_failure(&view->state, error);
     } else {
         return false;
     }
-    picture_watch(&view->picture, &view->state, &view->watch);
+    load_watch(&view->picture, &view->state, &view->watch);
     watch_folders(&view->watch, !ok);
     view->heard = view->heard > 0 ? view->heard : start;
     log_begin("reload");
@@ -82,6 +85,31 @@ static bool reload_if_changed(View *view, Error *error) {
     log_number("seconds", clock_seconds() - start);
     log_end();
     return true;
+}
+
+/* Opens the scene that the user wants. While a day is recorded its scene stays. */
+static bool open_if_wished(View *view, Error *error) {
+    ViewState *state = &view->state;
+    char *path = state->wishes.open;
+    if (!path || view->params->record) return true;
+    state->wishes.open = NULL;
+    bool ok = load_other(&view->picture, state, path, error);
+    if (ok) {
+        view_notice(state, "opened %s", path);
+        state->wishes.list = view->menu.beside.count || view->menu.installed.count;
+        set_title(view);
+        controls_release(&view->controls);
+        watch_free(&view->watch);
+        load_watch(&view->picture, state, &view->watch);
+    } else if (view_is_refusal(error)) {
+        say_failure(state, error);
+    }
+    log_begin("open");
+    log_text("path", path);
+    log_text("message", ok ? "" : error->text);
+    log_end();
+    free(path);
+    return ok || view_is_refusal(error);
 }
 
 static void pass_time(View *view) {
@@ -101,6 +129,7 @@ static void hear(View *view, double wait_s) {
     if (window->event_count || window->exposed) view->linger = 3;
     for (int i = 0; i < window->event_count; i++) {
         const WindowEvent *event = &window->events[i];
+        if (event->kind == WINDOW_DROP) view_open(&view->state, window->dropped);
         if (!overlay_event(view->overlay, event, &view->state))
             controls_event(&view->controls, &view->state, event, window->width, window->height);
     }
@@ -149,7 +178,8 @@ static bool turn(View *view, Error *error) {
                 !picture_rests(&view->picture, state);
     Error refusal;
     hear(view, busy && view->window.width ? 0 : 0.05);
-    if (!reload_if_changed(view, error)) return false;
+    if (!reload_if_changed(view, error) || !open_if_wished(view, error)) return false;
+    menu_update(&view->menu, state, view->params->library);
     pass_time(view);
     wishes_copy(state, view->params, &view->window);
     if (!view->window.width) return true;
@@ -191,39 +221,11 @@ static bool open_window(View *view, Error *error) {
     }
     set_title(view);
     view->figures.scale = view->window.scale;
+    view->figures.menu = &view->menu;
     view->overlay = overlay_create(&view->window, &view->state, error);
     return view->overlay && display_create(&view->display, &view->window.context, params->library, error) &&
            meter_create(&view->meter, &view->window.context, error) &&
            picture_create(&view->picture, params, &view->window.context, &view->state, error);
-}
-
-/* The author's exposure is kept if the sun stands where the scene or the preset has it. */
-static void start_exposure(ViewState *state, const ViewParams *params) {
-    AutoExposure *exposure = &state->exposure;
-    SceneValues values = state->scene.values;
-    Scene own = {state->scene.file, state->scene.file->values};
-    Error error;
-    *exposure = (AutoExposure){.on = !params->exposure_set, .target_ev = NAN, .at_once = true};
-    if (params->preset && !scene_choose_preset(&own, params->preset, &error)) return;
-    values.exposure_ev = own.values.exposure_ev;
-    if (values.sun.elevation_deg == own.values.sun.elevation_deg &&
-        values.sun.azimuth_deg == own.values.sun.azimuth_deg)
-        exposure_anchor(exposure, &values);
-}
-
-static void start_state(ViewState *state, const ViewParams *params) {
-    state->scene = state->file;
-    state->methods[0] = state->methods[1] = params->methods;
-    snprintf(state->methods[1].light, sizeof state->methods[1].light, "cosine");
-    snprintf(state->methods[1].sequence, sizeof state->methods[1].sequence, "random");
-    start_exposure(state, params);
-    state->divider = 0.5;
-    state->difference_percent = 10;
-    state->hours_per_second = 1;
-    state->clock_seconds = state->file.values.time_s;
-    state->overlay = true;
-    state->playing = params->record != NULL;
-    state->day = day_through(state->scene.values.sun.elevation_deg, state->scene.values.sun.azimuth_deg);
 }
 
 static void log_start(const View *view, double started) {
@@ -245,6 +247,8 @@ static void destroy(View *view) {
         overlay_destroy(view->overlay);
         window_close(&view->window);
     }
+    free(view->state.wishes.open);
+    menu_free(&view->menu);
     watch_free(&view->watch);
     scene_destroy(&view->state.file);
 }
@@ -252,11 +256,10 @@ static void destroy(View *view) {
 bool view_run(const ViewParams *params, Error *error) {
     View view = {.params = params};
     double started = clock_seconds();
-    if (!params->load(params->data, &view.state.file, error)) return false;
-    start_state(&view.state, params);
+    if (!load_first(&view.state, params, error)) return false;
     bool ok = open_window(&view, error);
     if (ok) {
-        picture_watch(&view.picture, &view.state, &view.watch);
+        load_watch(&view.picture, &view.state, &view.watch);
         view.flown = view.shown = view.adapted = clock_seconds();
         log_start(&view, started);
     }

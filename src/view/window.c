@@ -7,6 +7,7 @@
 #include <GLFW/glfw3.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* For window_calls(). */
 static Window *opened;
@@ -56,6 +57,15 @@ static void on_scroll(GLFWwindow *handle, double x, double y) {
 
 static void on_focus(GLFWwindow *handle, int focused) {
     push(window_of(handle), (WindowEvent){.kind = WINDOW_FOCUS, .action = focused});
+}
+
+/* Of several files the first is taken. */
+static void on_drop(GLFWwindow *handle, int count, const char **paths) {
+    Window *window = window_of(handle);
+    if (count < 1) return;
+    free(window->dropped);
+    window->dropped = strdup(paths[0]);
+    push(window, (WindowEvent){.kind = WINDOW_DROP});
 }
 
 static void on_close(GLFWwindow *handle) {
@@ -123,6 +133,7 @@ bool window_open(Window *window, const char *title, int width, int height, Error
     glfwSetCursorPosCallback(window->handle, on_move);
     glfwSetScrollCallback(window->handle, on_scroll);
     glfwSetWindowFocusCallback(window->handle, on_focus);
+    glfwSetDropCallback(window->handle, on_drop);
     glfwSetWindowCloseCallback(window->handle, on_close);
     glfwSetWindowRefreshCallback(window->handle, on_refresh);
     glfwMakeContextCurrent(window->handle);
@@ -144,6 +155,7 @@ void window_close(Window *window) {
     if (window->handle) glfwDestroyWindow(window->handle);
     glfwTerminate();
     free(window->events);
+    free(window->dropped);
     *window = (Window){0};
 }
 

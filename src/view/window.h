@@ -17,7 +17,9 @@ typedef enum WindowEventKind {
     /* Has x and y, in steps of the wheel. */
     WINDOW_SCROLL,
     /* Has action: 1 if the window got the keyboard, 0 if it lost it. */
-    WINDOW_FOCUS
+    WINDOW_FOCUS,
+    /* A file was dropped on the window: `dropped`. */
+    WINDOW_DROP
 } WindowEventKind;
 
 typedef struct WindowEvent {
@@ -37,6 +39,8 @@ typedef struct Window {
     double scale;
     /* The pointer's place at the last event. GLFW's own value may be of a later time. */
     double pointer[2];
+    /* The path of the file that was dropped last; owned. */
+    char *dropped;
     /* Whether the user wants to close the window. */
     bool closed;
     /* Whether the window's content was lost, or its size has changed. */
