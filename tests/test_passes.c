@@ -137,8 +137,13 @@ static void test_fills(void **state) {
 /* Every program of a picture is listed behind what it reads, and its text is made, without any OpenGL. */
 static void test_list(void **state) {
     (void)state;
-    static const char *const names[] = {
-        "the sky's table", "the sky's patches", "the sky's irradiance", "the sun's image", "trace", "layers"};
+    static const char *const names[] = {"the sky's table",
+                                        "the sky's patches",
+                                        "the sky's irradiance",
+                                        "the sun's image",
+                                        "trace",
+                                        "layers",
+                                        "check"};
     enum { NAMES = sizeof names / sizeof *names };
     Scene scene;
     Plan plan;

@@ -198,13 +198,23 @@ static void test_cover(void **state) {
     static const struct {
         double sun[2], eye_to[3], fov;
         int width, height;
-    } cases[] = {{{30, 0}, {0, 0.5, 1}, 90, 512, 512},   {{30, 20}, {0, 0.3, 1}, 120, 640, 360},
-                 {{0, 0}, {0, 0, 1}, 60, 512, 512},      {{5, 1}, {0, 0.1, 1}, 3, 64, 64},
-                 {{89.9, 0}, {0, 1, 0.3}, 40, 200, 200}, {{0.2, 10}, {0.1, 0.1, 1}, 20, 300, 200}};
-    Atmosphere atmosphere = atmosphere_preset(0)->atmosphere;
+        double observer_m;
+    } cases[] = {{{30, 0}, {0, 0.5, 1}, 90, 512, 512, 1},
+                 {{30, 20}, {0, 0.3, 1}, 120, 640, 360, 1},
+                 {{0, 0}, {0, 0, 1}, 60, 512, 512, 1},
+                 {{5, 1}, {0, 0.1, 1}, 3, 64, 64, 1},
+                 {{89.9, 0}, {0, 1, 0.3}, 40, 200, 200, 1},
+                 {{0.2, 10}, {0.1, 0.1, 1}, 20, 300, 200, 1},
+                 /* The horizon may be more than 90 degrees below the disk. */
+                 {{89.97, 0}, {0, 1, 0}, 2, 64, 64, 1},
+                 {{90, 0}, {0, 1, 0}, 2, 64, 64, 1},
+                 {{90, 0}, {0, 1, 0.3}, 40, 200, 200, 1},
+                 {{85, 0}, {0, 10, 1}, 2, 64, 64, 59000}};
     double worst = 0;
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         Scene scene = scene_default("test", "glsl");
+        Atmosphere atmosphere = atmosphere_preset(0)->atmosphere;
+        atmosphere.observer_height_m = cases[k].observer_m;
         memset(scene.values.camera.eye, 0, sizeof scene.values.camera.eye);
         memcpy(scene.values.camera.target, cases[k].eye_to, sizeof scene.values.camera.target);
         scene.values.camera.fov_deg = cases[k].fov;

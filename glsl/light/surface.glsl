@@ -12,19 +12,34 @@ vec3 material_value(Material material, vec3 normal, vec3 incoming, vec3 outgoing
 float material_throws(Material material);
 vec3 sky_radiance(vec3 direction);
 
-// The nearest hit, with its position and its normal toward the ray's origin; t is INFINITY where there is none.
-Hit surface_hit(Ray ray) {
+// Returns the nearest hit as the scene reports it, and sets only its position. t is INFINITY where there is none.
+Hit surface_reported(Ray ray) {
     Hit hit = hit_none();
     scene_intersect(ray, hit);
     hit.position = ray.origin + hit.t * ray.direction;
+    return hit;
+}
+
+// Returns a hit whose normal has unit length and faces the ray's origin. A scene may report a normal of any length, such as that of
+// hit_plane(ray, vec3(0.0, 1.0, 1.0), ...). A normal whose length is 1 up to roundings stays as it is.
+Hit surface_faced(Hit hit, Ray ray) {
+    float squared = dot(hit.normal, hit.normal);
+    hit.normal = abs(squared - 1.0) > 1.0e-5 && hit.t < INFINITY ? hit.normal * inversesqrt(squared) : hit.normal;
     hit.inside = dot(hit.normal, ray.direction) > 0.0;
     hit.normal = hit.inside ? -hit.normal : hit.normal;
     return hit;
 }
 
-// What is there, as the ray meets it: from within a solid the index of refraction is the other way round.
+// The nearest hit, with its position and its normal toward the ray's origin; t is INFINITY where there is none.
+Hit surface_hit(Ray ray) {
+    return surface_faced(surface_reported(ray), ray);
+}
+
+// What is there, as the ray meets it: from within a solid the index of refraction is the other way round. No surface reflects less than no light, or
+// more than all. The light of a lamp may be of any strength, so it is taken from scene_material() itself (emission/met.glsl).
 Material surface_material(Hit hit) {
     Material material = scene_material(hit);
+    material.color = clamp(material.color, 0.0, 1.0);
     material.ior = hit.inside ? 1.0 / material.ior : material.ior;
     return material;
 }

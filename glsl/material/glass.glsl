@@ -1,3 +1,4 @@
+#include "math/reflect.glsl"
 #include "scene.glsl"
 
 // Smooth glass, water, or another clear substance. It reflects as Fresnel's equations say, and lets the rest of the light through.
@@ -38,7 +39,7 @@ Bounce glass_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 
     float cos_in = max(-dot(normal, incoming), 0.0);
     vec3 tilt = incoming + cos_in * normal;
     float cos_beyond = glass_cosine(ior, tilt);
-    if (v.x < glass_fresnel(ior, cos_in, cos_beyond)) return Bounce(reflect(incoming, normal), vec3(1.0), 0.0, false);
+    if (v.x < glass_fresnel(ior, cos_in, cos_beyond)) return Bounce(mirror_direction(incoming, normal), vec3(1.0), 0.0, false);
     return Bounce(normalize(tilt / ior - cos_beyond * normal), material.color, 0.0, false);
 }
 

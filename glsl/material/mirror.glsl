@@ -1,3 +1,4 @@
+#include "math/reflect.glsl"
 #include "scene.glsl"
 
 // A perfect mirror that reflects `tint` of the light.
@@ -6,7 +7,7 @@ Material mirror(vec3 tint) {
 }
 
 Bounce mirror_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
-    return Bounce(reflect(incoming, normal), material.color, 0.0, false);
+    return Bounce(mirror_direction(incoming, normal), material.color, 0.0, false);
 }
 
 float mirror_pdf(Material material, vec3 normal, vec3 incoming, vec3 outgoing) {

@@ -1,3 +1,4 @@
+#include "math/reflect.glsl"
 #include "scene.glsl"
 #include "math/frame.glsl"
 
@@ -98,7 +99,7 @@ Bounce rough_metal_sample(Material material, vec3 normal, vec3 incoming, vec2 u,
     vec3 stretched = view + in_frame(normal, level * cos(phi), level * sin(phi), z);
     float up = dot(stretched, normal);
     vec3 half_way = normalize(alpha * (stretched - up * normal) + max(up, 1.0e-7) * normal);
-    vec3 outgoing = reflect(incoming, half_way);
+    vec3 outgoing = mirror_direction(incoming, half_way);
     float cos_out = max(dot(normal, outgoing), 0.0);
     vec3 fresnel = rough_metal_fresnel(material.color, -dot(incoming, half_way));
     float pdf = rough_metal_pdf(material, normal, incoming, outgoing);

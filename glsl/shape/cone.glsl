@@ -26,13 +26,14 @@ Interval interval_cone(vec3 from_tip, vec3 direction, vec3 axis, float spread) {
 }
 
 // A solid cone from the middle of its base to its tip, with `radius` at the base. It is seen from outside and from inside.
+// Everything is counted from the ray's closest approach to the tip, where the cone is thin and needs small numbers.
 void hit_cone(Ray ray, vec3 base, vec3 tip, float radius, int object, INOUT(Hit) hit) {
-    vec3 to_centre = 0.5 * (base + tip) - ray.origin;
-    float middle = dot(to_centre, ray.direction);
-    vec3 near = middle * ray.direction - to_centre;
+    vec3 to_tip = tip - ray.origin;
+    float middle = dot(to_tip, ray.direction);
+    vec3 near = middle * ray.direction - to_tip;
     float height = length(base - tip);
     vec3 axis = (base - tip) / height;
-    Interval side = interval_cone(near + 0.5 * height * axis, ray.direction, axis, radius / height);
-    Interval ends = interval_slab(dot(near, axis), dot(ray.direction, axis), 0.5 * height, axis);
+    Interval side = interval_cone(near, ray.direction, axis, radius / height);
+    Interval ends = interval_slab(dot(near, axis) - 0.5 * height, dot(ray.direction, axis), 0.5 * height, axis);
     hit_interval(interval_both(side, ends), middle, object, hit);
 }

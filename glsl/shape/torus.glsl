@@ -43,17 +43,19 @@ float torus_meet(vec3 near, vec3 direction, vec3 axis, float major, float minor,
     return t;
 }
 
-// A ring about `axis`, which has unit length and goes through `centre`. The ring is a circle of the radius `major`, and all points within `minor`
+// A ring about `axis`, which goes through `centre` and may have any length. The ring is a circle of the radius `major`, and all points within `minor`
 // of it. `minor` is the smaller radius. The ring is seen from outside and from inside.
 //
 // A torus is the quartic t^4 + c t^2 + d t + e, if t counts from the ray's closest approach to the centre. Rounding spoils Ferrari's formula for
 // the quartic's roots. Only its turning points are therefore computed. Between two of them the distance to the torus has one root or none,
 // and the distance has lost no digits. A turning point with a small error makes a ray miss only what is thinner than that error squared.
 void hit_torus(Ray ray, vec3 centre, vec3 axis, float major, float minor, int object, INOUT(Hit) hit) {
+    axis = normalize(axis);
     vec3 to_centre = centre - ray.origin;
     float middle = dot(to_centre, ray.direction);
     vec3 near = middle * ray.direction - to_centre;
-    float outer = major + minor;
+    // The sphere about the ring is a little larger than the ring, so that a ray leaves the ring before it leaves the sphere, also by rounding.
+    float outer = 1.0001 * (major + minor);
     float miss = dot(near, near);
     if (miss >= outer * outer) return;
     float end = sqrt(outer * outer - miss);

@@ -38,7 +38,7 @@ vec3 mirror_tint(int i, Ray ray, vec3 toward) {
     Hit seen = surface_hit(ray);
     vec3 tint = vec3(0.0);
     if (seen.t < INFINITY && mirror_sphere_at(seen) == i) {
-        Material material = scene_material(seen);
+        Material material = surface_material(seen);
         vec3 through = light_through(ray, seen.t) * light_arriving(ray_from(seen, toward));
         tint = material.kind == MATERIAL_MIRROR ? material.color * through : vec3(0.0);
     }

@@ -59,7 +59,7 @@ vec3 planes_reflect(Hit hit, Material material, vec3 incoming, vec3 toward, int 
     vec3 direction = toward;
     for (int i = PLANE_CHAIN - 1; i >= 0; i--) {
         vec3 normal = plane_normal(plane_of_chain(u.y, i));
-        if (i < count) direction = reflect(direction, normal);
+        if (i < count) direction = mirror_direction(direction, normal);
     }
     vec3 reflected = material_value(material, hit.normal, incoming, direction);
     if (most > 0 && max(reflected.x, max(reflected.y, reflected.z)) > 0.0) {
@@ -70,10 +70,10 @@ vec3 planes_reflect(Hit hit, Material material, vec3 incoming, vec3 toward, int 
                 Hit seen = surface_hit(ray);
                 open = seen.t < INFINITY && plane_at(seen) == plane_of_chain(u.y, i);
                 if (open) {
-                    Material mirror = scene_material(seen);
+                    Material mirror = surface_material(seen);
                     open = mirror.kind == MATERIAL_MIRROR;
                     reflected *= mirror.color * light_through(ray, seen.t);
-                    ray = ray_from(seen, reflect(ray.direction, seen.normal));
+                    ray = ray_from(seen, mirror_direction(ray.direction, seen.normal));
                 }
             }
         }

@@ -29,10 +29,10 @@ static bool check_aov(const Options *options, unsigned *kinds, Error *error) {
 }
 
 /* Fills the tables. If it is interrupted, no sample follows. */
-static bool prepare_tables(RenderJob *job, const RenderParams *params, Error *error) {
+static bool prepare_tables(RenderJob *job, Error *error) {
     double start = clock_seconds();
     while (job->renderer.prepared < 1 && !interrupt_requested()) {
-        if (!renderer_prepare(&job->renderer, params, 0.3, interrupt_requested, error)) return false;
+        if (!renderer_prepare(&job->renderer, &job->params, 0.3, interrupt_requested, error)) return false;
         progress_prepare(&job->progress, job->renderer.prepared, clock_seconds() - start);
     }
     return true;
@@ -52,24 +52,24 @@ static bool open_scene(RenderJob *job, Error *error) {
 static bool prepare(RenderJob *job, Error *error) {
     const Options *options = job->options;
     if (!check_aov(options, &job->aov_kinds, error)) return false;
-    RenderParams params = {.scene = &job->scene,
-                           .sky = options->sky,
-                           .light = options->light,
-                           .sequence = options->sequence,
-                           .further = options->further,
-                           .sun_disk = options->sun_disk,
-                           .width = options->width,
-                           .height = options->height,
-                           .seed = options->seed,
-                           .max_hits = options->depth,
-                           .samples = options->samples,
-                           .error_percent = target_percent(options->error, tone_of(options)),
-                           .variance = job->aov_kinds & AOV_VARIANCE,
-                           .in_steps = true};
+    job->params = (RenderParams){.scene = &job->scene,
+                                 .sky = options->sky,
+                                 .light = options->light,
+                                 .sequence = options->sequence,
+                                 .further = options->further,
+                                 .sun_disk = options->sun_disk,
+                                 .width = options->width,
+                                 .height = options->height,
+                                 .seed = options->seed,
+                                 .max_hits = options->depth,
+                                 .samples = options->samples,
+                                 .error_percent = target_percent(options->error, tone_of(options)),
+                                 .variance = job->aov_kinds & AOV_VARIANCE,
+                                 .in_steps = true};
     return context_open(&job->context, options->backend, error) &&
-           renderer_create(&job->renderer, &job->context, &params, error) &&
-           prepare_tables(job, &params, error) &&
-           aov_create(&job->aov, job->aov_kinds, &job->context, &params, &job->renderer, error);
+           renderer_create(&job->renderer, &job->context, &job->params, error) &&
+           prepare_tables(job, error) &&
+           aov_create(&job->aov, job->aov_kinds, &job->context, &job->params, &job->renderer, error);
 }
 
 /* The error at which to stop, if there is one. */
@@ -181,6 +181,9 @@ static bool finish(RenderJob *job, Error *error) {
     figures->search_broken = job->search.broken;
     figures->search_cut = job->search.cut;
     figures->interrupted = interrupt_requested();
+    if (!figures->interrupted &&
+        !check_scene(&job->check, &job->context, &job->params, &job->renderer, error))
+        return false;
     figures->done = true;
     promise(job);
     progress_report(&job->progress, figures);

@@ -8,6 +8,7 @@
 #include "image/image.h"
 #include "render/aov.h"
 #include "render/chance.h"
+#include "render/check.h"
 #include "render/renderer.h"
 
 typedef struct RenderJob {
@@ -16,6 +17,8 @@ typedef struct RenderJob {
     char *library;
     Scene scene;
     Context context;
+    /* Their scene is the one above. */
+    RenderParams params;
     Renderer renderer;
     Adaptive adaptive;
     unsigned aov_kinds;
@@ -24,6 +27,8 @@ typedef struct RenderJob {
     FilmCount count;
     FilmSearch search;
     ChanceShares chance;
+    /* What is wrong with the scene's values. It is not looked for if the picture was interrupted. */
+    Check check;
     /* Whether the layer of variances has pixels whose variance is not known. */
     bool variance_unknown;
     ProgressFigures figures;

@@ -115,12 +115,45 @@ static void warn_promise(const RenderJob *job) {
     fprintf(stderr, "magichour: warning: an error of %s is not promised: %s\n", target, job->promise.reason);
 }
 
+/* A tenth of the default error. */
+static const double far_percent = 0.1;
+
+static void warn_check(const RenderJob *job) {
+    const Check *check = &job->check;
+    const char *path = job->scene.file->path;
+    if (check_finds_normal(check)) {
+        fprintf(stderr,
+                "magichour: warning: %s: object %d has a normal of length %.4g; it is given unit length\n",
+                path, check->normal_object, check->normal_length);
+    }
+    if (check_finds_albedo(check)) {
+        bool high = check->largest_albedo > 1;
+        fprintf(
+            stderr,
+            "magichour: warning: %s: object %d has an albedo of %.4g; what is below 0 or above 1 is taken "
+            "as 0 or 1\n",
+            path, high ? check->largest_object : check->least_object,
+            high ? check->largest_albedo : check->least_albedo);
+    }
+    double error_percent = check_far_error(check);
+    if (error_percent > far_percent) {
+        fprintf(
+            stderr,
+            "magichour: warning: %s: object %d is seen where its coordinates are %.3g times as large as its "
+            "distance from the camera. Float has too few digits there, which makes an error of up to %.1g "
+            "%%. "
+            "Move the scene to the origin.\n",
+            path, check->far_object, check->size_over_distance, error_percent);
+    }
+}
+
 void render_warn(const RenderJob *job) {
     if (job->options->further && !(job->scene.values.atmosphere.orders > 1))
         fprintf(stderr,
                 "magichour: warning: --further has no effect: the air has the first order alone (--orders "
                 "says how many it has)\n");
     warn_promise(job);
+    warn_check(job);
     if (job->variance_unknown) {
         fprintf(stderr,
                 "magichour: warning: --aov variance is not known from %u samples or fewer: there it is NaN\n",

@@ -19,6 +19,7 @@ const ResourceKind *const picture_tables[] = {&drawn_mirrors, &drawn_spheres, &s
 const Pass trace_pass = {.name = "trace", .entry = "pass/trace.glsl"};
 const Pass sun_image_pass = {.name = "the sun's image", .entry = "pass/sun_image.glsl"};
 const Pass aov_pass_entry = {.name = "layers", .entry = "pass/aov.glsl"};
+const Pass check_pass = {.name = "check", .entry = "pass/check.glsl"};
 
 PassList pass_list(const Plan *plan, const RenderParams *params) {
     PassList list = {0};
@@ -31,6 +32,7 @@ PassList pass_list(const Plan *plan, const RenderParams *params) {
     if (plan->sun.method->draws_image) list.passes[list.count++] = sun_image_pass;
     list.passes[list.count++] = trace_pass;
     list.passes[list.count++] = aov_pass_entry;
+    list.passes[list.count++] = check_pass;
     return list;
 }
 

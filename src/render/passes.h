@@ -20,15 +20,16 @@ typedef struct Pass {
     const ResourceKind *fills;
 } Pass;
 
-enum { MOST_PASSES = MOST_RESOURCES + 3 };
+enum { MOST_PASSES = MOST_RESOURCES + 4 };
 
 typedef struct PassList {
     Pass passes[MOST_PASSES];
     int count;
 } PassList;
 
-/* The passes that draw into the film, and the one that draws layers (--aov). */
-extern const Pass trace_pass, sun_image_pass, aov_pass_entry;
+/* The passes that draw into the film, the one that draws layers (--aov), and the one that checks the scene's
+ * values (render/check.h). */
+extern const Pass trace_pass, sun_image_pass, aov_pass_entry, check_pass;
 
 /* All programs that a picture with this plan may need, in the order in which they are drawn. */
 PassList pass_list(const Plan *plan, const RenderParams *params);

@@ -80,14 +80,16 @@ bool glsl_materials_emit(const GlslMaterials *materials, const char *text) {
 
 /* Only some materials emit, and only they need a function for it. */
 static void generate_emitted(const GlslMaterials *materials, Text *text) {
-    Text calls = {0};
+    Text calls = {0}, kinds = {0};
     GlslScan scan = glsl_scan(text_string(text));
     for (int i = 0; i < materials->count; i++) {
-        if (emits(materials, &scan, i))
-            text_print(&calls,
-                       "    if (material.kind == %d) return %s_emitted(material, normal, incoming);\n", i,
-                       materials->names[i]);
+        if (!emits(materials, &scan, i)) continue;
+        text_print(&calls, "    if (material.kind == %d) return %s_emitted(material, normal, incoming);\n", i,
+                   materials->names[i]);
+        text_print(&kinds, " || material.kind == %d", i);
     }
+    text_print(text, "bool material_emits(Material material) {\n    return false%s;\n}\n",
+               text_string(&kinds));
     if (calls.size) {
         text_print(text,
                    "vec3 material_emitted(Material material, vec3 normal, vec3 incoming) {\n%s"
@@ -96,6 +98,7 @@ static void generate_emitted(const GlslMaterials *materials, Text *text) {
     }
     glsl_scan_free(&scan);
     text_free(&calls);
+    text_free(&kinds);
 }
 
 bool glsl_materials_throw(const GlslMaterials *materials, const char *text) {

@@ -18,7 +18,8 @@ void glsl_materials_free(GlslMaterials *materials);
 MUST_CHECK bool glsl_materials_add(GlslMaterials *materials, const char *path, Text *text, Error *error);
 
 /* Appends material_sample(), material_pdf() and material_value(), a call for each material;
- * material_emitted() where one of them emits; and material_throws(). `text` is what they are defined in. */
+ * material_emits(); material_emitted() where one of them emits; and material_throws(). `text` is what they
+ * are defined in. */
 void glsl_materials_write(const GlslMaterials *materials, Text *text);
 
 /* Whether a material of the text emits: it defines NAME_emitted(). */

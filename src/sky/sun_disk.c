@@ -133,7 +133,9 @@ typedef struct Strips {
 static Strips cut(const SunDisk *disk, const Camera *camera) {
     Strips strips = {0};
     double elevation = asin(disk->middle[1]), slope = tan(disk->radius);
-    double from = fmax(tan(fmin(asin(disk->horizon) - elevation, disk->radius)) / slope, -1);
+    /* The horizon may be more than 90 degrees below the disk, where a tangent has another sign. */
+    double horizon = fmax(asin(disk->horizon) - elevation, -disk->radius);
+    double from = tan(fmin(horizon, disk->radius)) / slope;
     for (int k = 0; k <= STRIPS; k++) {
         double edge = from + (1 - from) * ((double)k / STRIPS) * ((double)k / STRIPS), plane[3],
                on_picture[3];
