@@ -1,5 +1,7 @@
 #include "scene/glsl_log.h"
 
+#include "scene/glsl_clash.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -42,6 +44,15 @@ static bool parse_log_line(const char *line, int *number, const char **words) {
     return true;
 }
 
+/* Says which other file has the name that the line declares. */
+static void explain_clash(const GlslSource *source, int text_line, Text *explained) {
+    GlslClash clash;
+    if (!glsl_clash_find(source, text_line, &clash) || clash.file < 0 || clash.file >= source->file_count)
+        return;
+    text_print(explained, " (%s:%d has the name %s too: give one of them another name)",
+               source->files[clash.file], clash.line, clash.name);
+}
+
 void glsl_source_explain(const GlslSource *source, const char *log, Error *error) {
     Text explained = {0}, rest = {0};
     int lines = 0;
@@ -53,12 +64,14 @@ void glsl_source_explain(const GlslSource *source, const char *log, Error *error
         if (!place) words = line;
         if (strncmp(words, "warning", 7) == 0 || lines >= 8) continue;
         if (strncmp(words, "error: ", 7) == 0) words += 7;
-        if (!place || !glsl_source_place(source, number, &file, &number)) {
+        int text_line = number;
+        if (!place || !glsl_source_place(source, text_line, &file, &number)) {
             text_print(&rest, "%s%.*s", rest.size ? "\n" : "", (int)(line + length - words), words);
             continue;
         }
         text_print(&explained, "%s%s:%d: %.*s", lines++ ? "\n" : "", source->files[file], number,
                    (int)(line + length - words), words);
+        explain_clash(source, text_line, &explained);
     }
     if (lines) {
         error_set(error, STATUS_SCENE, "%s", text_string(&explained));
