@@ -206,6 +206,40 @@ static void test_no_gl(void **state) {
     assert_non_null(strstr(support_out, "simmons2017-author"));
 }
 
+#define CLASH_TOP                                                                                            \
+    "#include \"color/checker.glsl\"\n#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n"
+#define CLASH_END                                                                                            \
+    "void scene_intersect(Ray ray, INOUT(Hit) hit) { hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit); }\n"  \
+    "Material scene_material(Hit hit) { return matte(vec3(0.5)); }\n"
+
+/* A name that the scene and the library both have: both places are named, whichever comes first. */
+static void test_clashes(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *own, *library;
+    } rows[] = {
+        {CLASH_TOP "const float PI = 3.0;\n" CLASH_END, "clash.glsl:4", "math/dialect.glsl:"},
+        {"const float PI = 3.0;\n" CLASH_TOP CLASH_END, "clash.glsl:1", "math/dialect.glsl:"},
+        {CLASH_TOP "vec3 checker(vec3 p, vec3 a, vec3 b) { return a; }\n" CLASH_END, "clash.glsl:4",
+         "color/checker.glsl:"},
+        {CLASH_TOP "struct Hit { float t; };\n" CLASH_END, "clash.glsl:4", "glsl/scene.glsl:"},
+        {CLASH_TOP "\nfloat camera_eye = 1.0;\n" CLASH_END, "clash.glsl:5", "pass/camera.glsl:"},
+        {CLASH_TOP "float hit_plane;\n" CLASH_END, "clash.glsl:4", "shape/plane.glsl:"},
+        {"#define albedo 3.0\n" CLASH_TOP CLASH_END, "clash.glsl:1 has the name albedo",
+         "material/matte.glsl:"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const char *path = support_write("clash.glsl", rows[i].text);
+        support_expect(3, rows[i].own, "render '%s' " TINY " -o '%s'", path, support_path("out.exr"));
+        if (!strstr(support_err, rows[i].library) ||
+            !strstr(support_err, " too: give one of them another name"))
+            fail_msg("%s: %s", rows[i].text, support_err);
+    }
+    const char *path = support_write("fault.glsl", CLASH_TOP "float f() { return y; }\n" CLASH_END);
+    support_expect(3, "fault.glsl:4", "render '%s' " TINY " -o '%s'", path, support_path("out.exr"));
+    assert_null(strstr(support_err, "another name"));
+}
+
 static void test_progress(void **state) {
     (void)state;
     static const char *const keys[] = {"\"samples\": 32",       "\"paths\": 8192",   "\"seconds\": ",
@@ -555,6 +589,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_outputs),
         cmocka_unit_test(test_no_gl),
         cmocka_unit_test(test_progress),
+        cmocka_unit_test(test_clashes),
         cmocka_unit_test(test_interrupt),
         cmocka_unit_test(test_auto),
         cmocka_unit_test(test_by_chance),

@@ -8,6 +8,7 @@
 #include "support.h"
 #include "toys.h"
 
+#include "base/clock.h"
 #include "base/file.h"
 #include "image/tone.h"
 
@@ -15,6 +16,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #define AS_SAID "--size 40x30 --set time=2"
 
@@ -150,9 +152,38 @@ static void test_no_numbers(void **state) {
                    "render '%s' --size 16x16 -o '%s'", toy, support_path("a.exr"));
 }
 
+/* While there is nothing to save, a signal ends the program at once, also in the middle of a compilation that
+ * takes seconds. */
+static void test_interrupt(void **state) {
+    (void)state;
+    need_gl();
+    const char *program = getenv("MAGICHOUR"), *toy = toys_write_slow("slow.glsl"),
+               *scene = toys_write_slow_scene("slow-scene.glsl");
+    const char *const ways[][2] = {{"render", toy}, {"render", scene}, {"explain", scene}, {"chart", scene}};
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        char command[2048];
+        bool writes = strcmp(ways[i][0], "explain") != 0;
+        snprintf(command, sizeof command,
+                 "timeout --preserve-status -s %s 1 '%s' %s '%s' --size 64x64 %s%s >/dev/null 2>&1; exit $?",
+                 i % 2 ? "INT" : "TERM", program ? program : "build/magichour", ways[i][0], ways[i][1],
+                 writes ? "-o " : "",
+                 !writes                            ? ""
+                 : strcmp(ways[i][0], "chart") == 0 ? support_path("charts")
+                                                    : support_path("slow.exr"));
+        double start = clock_seconds();
+        int status = WEXITSTATUS(system(command));
+        double took = clock_seconds() - start;
+        /* A GPU may be done by then. */
+        if (status != 130 || took > 1.5)
+            print_message("%s: status %d after %.1f s\n", ways[i][0], status, took);
+        assert_true(took < 2.5 && (status == 130 || took < 1));
+    }
+    assert_int_not_equal(access(support_path("slow.exr"), F_OK), 0);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_toys), cmocka_unit_test(test_zero),
-                                       cmocka_unit_test(test_options), cmocka_unit_test(test_samples),
-                                       cmocka_unit_test(test_no_numbers)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_toys),       cmocka_unit_test(test_zero),
+                                       cmocka_unit_test(test_options),    cmocka_unit_test(test_samples),
+                                       cmocka_unit_test(test_no_numbers), cmocka_unit_test(test_interrupt)};
     return cmocka_run_group_tests_name("toy", tests, support_folder, support_clean);
 }

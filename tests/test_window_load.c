@@ -74,7 +74,7 @@ static void test_storm(void **state) {
         desktop_expect(window, "\"event\": \"reload\"", broken ? "broken" : "good");
     }
     desktop_signal(window, SIGTERM);
-    assert_int_equal(desktop_end(window), 0);
+    assert_int_equal(desktop_end(window), 130);
     assert_null(strstr(desktop_log(window), "OpenGL error"));
 }
 

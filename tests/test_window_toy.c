@@ -1,11 +1,14 @@
 /* Files that paint their pictures by themselves, in the window: frames that are recorded, each file of
  * tests/data/toys among them (tests/test_toy.c says what they expect). */
+#include "base/clock.h"
 #include "desktop.h"
 #include "image/tone.h"
 #include "toys.h"
 
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -79,12 +82,69 @@ static void test_scene(void **state) {
     support_expect(2, "--fps: ", "view scenes/crater.glsl --fps 0");
 }
 
+/* Asks the window to end while it compiles, and gives the seconds that it took. */
+static double seconds_to_end(int signal, int wanted) {
+    desktop_expect(window, "\"event\": \"compiling\"", "");
+    double start = clock_seconds();
+    if (signal)
+        desktop_signal(window, signal);
+    else
+        desktop_do(window, "key Escape");
+    int status = desktop_end(window);
+    if (status != wanted) fail_msg("status %d", status);
+    return clock_seconds() - start;
+}
+
+/* A compilation of seconds is shown as such. The picture before stays, the window can be closed, and the new
+ * picture follows. */
+static void test_compiling(void **state) {
+    (void)state;
+    int rgb[3];
+    desktop_view(window, "\"$here\"/tests/data/toys/plain.glsl --size 320x180");
+    bool slow = strstr(desktop_log(window), "llvmpipe") != NULL;
+    desktop_do(window, "key h");
+    desktop_quit(window);
+    if (!slow) {
+        print_message("this OpenGL compiles quickly\n");
+        return;
+    }
+    desktop_start(window, "'%s' --size 320x180", toys_write_slow("slow.glsl"));
+    assert_true(seconds_to_end(0, 0) < 1.5);
+    desktop_start(window, "'%s' --size 320x180", toys_write_slow("slow.glsl"));
+    assert_true(seconds_to_end(SIGTERM, 130) < 1.5);
+    desktop_start(window, "'%s' --size 320x180", toys_write_slow_scene("slow.glsl"));
+    assert_true(seconds_to_end(SIGINT, 130) < 1.5);
+
+    support_write("slow.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.0, 0.2, 1.0, 1.0); }\n");
+    desktop_view(window, "'%s' --size 320x180", support_path("slow.glsl"));
+    desktop_do(window, "key h mousemove 10 10");
+    desktop_settle(window);
+    toys_write_slow("slow.glsl");
+    desktop_expect(window, "\"event\": \"compiling\"", "");
+    desktop_pixel(window, 300, 20, rgb);
+    assert_true(rgb[0] < 4 && abs(rgb[1] - 51) < 4 && rgb[2] > 250);
+    /* The line's amber stands below. */
+    bool amber = false;
+    for (int x = 4; x < 120 && !amber; x++) {
+        desktop_pixel(window, x, 168, rgb);
+        amber = rgb[0] > 180 && rgb[1] > 120 && rgb[2] < 120;
+    }
+    desktop_expect(window, "\"result\": \"good\"", "");
+    desktop_pixel(window, 300, 20, rgb);
+    for (double end = clock_seconds() + 60; clock_seconds() < end && rgb[2] > 4;)
+        desktop_pixel(window, 300, 20, rgb);
+    assert_true(abs(rgb[1] - 153) < 4 && rgb[2] < 4);
+    assert_true(amber);
+    desktop_quit(window);
+}
+
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_toys, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_clock, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_scene, desktop_setup, desktop_teardown),
+        cmocka_unit_test_setup_teardown(test_compiling, desktop_setup, desktop_teardown),
     };
     return cmocka_run_group_tests_name("window_toy", tests, support_folder, support_clean);
 }

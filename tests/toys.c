@@ -8,6 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
+#include <unistd.h>
 
 static const char folder[] = "tests/data/toys";
 
@@ -58,4 +60,43 @@ int toys_check(const char *path, const Image *image) {
         }
     }
     return count;
+}
+
+/* The driver keeps what it has compiled, so that the text is another one in each run. */
+static void print_slow(Text *text) {
+    static int serial;
+    long number = (long)time(NULL) % 100000 + 100000L * (getpid() % 1000) + ++serial;
+    text_print(text, "float slow(vec3 p) {\n    float d = 1e9;\n");
+    for (int i = 0; i < 120; i++) {
+        text_print(text,
+                   "    d = min(d, length(p - vec3(sin(%d.%ld + p.y), cos(%d.7 * p.z), 0.1)) - 0.1 * "
+                   "abs(sin(p.x * %d.1) + pow(abs(p.z), %d.5)));\n",
+                   i, number, i, i, i % 7);
+    }
+    text_print(text,
+               "    return d;\n}\nfloat slower(vec3 p) { return slow(p.zxy + slow(p.yzx + slow(p))); }\n");
+}
+
+static const char *write_slow(const char *name, const char *before, const char *after) {
+    Text text = {0};
+    text_print(&text, "%s", before);
+    print_slow(&text);
+    text_print(&text, "%s", after);
+    const char *path = support_write(name, text_string(&text));
+    text_free(&text);
+    return path;
+}
+
+const char *toys_write_slow(const char *name) {
+    return write_slow(name, "",
+                      "void mainImage(out vec4 c, in vec2 p) {\n"
+                      "    c = vec4(slower(vec3(p, iTime)) > 0.0 ? 0.2 : 0.4, 0.6, 0.0, 1.0);\n}\n");
+}
+
+const char *toys_write_slow_scene(const char *name) {
+    return write_slow(name, "#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n",
+                      "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
+                      "    hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit);\n}\n"
+                      "Material scene_material(Hit hit) {\n"
+                      "    return matte(vec3(slower(hit.position) > 0.0 ? 0.2 : 0.4));\n}\n");
 }

@@ -89,10 +89,12 @@ Status cmd_view(const Options *options, Error *error) {
                              .record = options->record,
                              .frames = options->frames,
                              .frame_rate = options->frame_rate,
-                             .stop = interrupt_requested};
+                             .stop = interrupt_requested,
+                             .leave = interrupt_leave};
         ok = view_run(&params, error);
     }
     free(source.library);
     free(source.path);
-    return ok ? STATUS_DONE : error->status;
+    if (!ok) return error->status;
+    return interrupt_requested() ? STATUS_INTERRUPTED : STATUS_DONE;
 }

@@ -5,6 +5,7 @@
 
 #include <signal.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <unistd.h>
 
 static volatile sig_atomic_t requested, keeps;
@@ -37,4 +38,9 @@ void interrupt_keep(void) {
 
 bool interrupt_requested(void) {
     return requested != 0;
+}
+
+_Noreturn void interrupt_leave(bool interrupted) {
+    fflush(NULL);
+    _exit(interrupted ? STATUS_INTERRUPTED : STATUS_DONE);
 }

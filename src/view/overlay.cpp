@@ -234,6 +234,16 @@ void overlay_build(Overlay *overlay, ViewState *state, const ViewFigures *figure
     overlay->postponed.clear();
 }
 
+void overlay_say(Overlay *overlay, const char *line) {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    overlay_line(line, ImGui::GetIO().DisplaySize.y - em(overlay_margin));
+    ImGui::Render();
+    overlay->laid_out = true;
+    overlay_draw(overlay);
+}
+
 void overlay_draw(Overlay *overlay) {
     if (overlay->laid_out) ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

@@ -23,6 +23,9 @@ bool overlay_event(Overlay *overlay, const WindowEvent *event, ViewState *state)
 /* Lays out the panel for this frame. What the user does there changes `state`. */
 void overlay_build(Overlay *overlay, ViewState *state, const ViewFigures *figures);
 
+/* Draws one line on framebuffer 0, in place of the overlay that was laid out. */
+void overlay_say(Overlay *overlay, const char *line);
+
 /* Draws the overlay on framebuffer 0. */
 void overlay_draw(Overlay *overlay);
 

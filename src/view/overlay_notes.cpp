@@ -128,6 +128,10 @@ float overlay_progress(const ViewState *state, const ViewFigures *figures, float
     return note("progress", em(overlay_margin), floor, amber, text);
 }
 
+float overlay_line(const char *line, float floor) {
+    return note("line", em(overlay_margin), floor, amber, line);
+}
+
 float overlay_notice(const ViewState *state, float floor) {
     if (!view_has_notice(state)) return floor;
     return note("notice", em(overlay_margin), floor, state->notice.failed ? red : white, state->notice.text);

@@ -31,6 +31,7 @@ ImVec4 overlay_panel(ViewState *state, const ViewFigures *figures, float floor, 
 ImVec4 overlay_help(ViewState *state);
 
 /* A note stands on `floor`. Each function returns the floor for the next note. */
+float overlay_line(const char *line, float floor);
 float overlay_notice(const ViewState *state, float floor);
 float overlay_prompt(const ViewState *state, float floor);
 float overlay_progress(const ViewState *state, const ViewFigures *figures, float floor);

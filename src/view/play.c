@@ -1,7 +1,6 @@
 #include "view/play.h"
 
 #include "base/clock.h"
-#include "view/record.h"
 #include "view/say.h"
 
 #include <math.h>
@@ -14,7 +13,7 @@ ToyMoment play_moment(const Toy *toy, const ViewParams *params, const ViewState 
     double delta = toy->frame ? moment.time_s - toy->moment.time_s : 0;
     moment.delta_s = fmax(delta, 0);
     if (params->record) {
-        double step = record_step(params);
+        double step = view_frame_step(params);
         moment = (ToyMoment){.time_s = state->file.values.time_s + toy->frame * step, .delta_s = step};
     }
     view_mouse(state, height, moment.mouse);

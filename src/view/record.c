@@ -4,10 +4,6 @@
 
 #include <stdio.h>
 
-double record_step(const ViewParams *params) {
-    return 1 / (params->frame_rate > 0 ? params->frame_rate : RECORD_RATE);
-}
-
 void record_advance_day(ViewState *state, double hours) {
     double elevation, azimuth;
     day_advance(&state->day, hours);
@@ -18,7 +14,7 @@ void record_advance_day(ViewState *state, double hours) {
 /* Whether that was the last frame: of those that were asked for, of the day, or of some seconds. */
 static bool is_last(int done, const Picture *picture, const ViewState *state) {
     const ViewParams *params = picture->params;
-    double seconds = done * record_step(params);
+    double seconds = done * view_frame_step(params);
     if (params->frames) return done >= params->frames;
     return state->scene.file->facts.is_toy ? seconds > RECORD_SECONDS - 1e-6
                                            : seconds * state->hours_per_second >= day_length(&state->day);
@@ -33,7 +29,7 @@ bool record_frame(int *done, const Picture *picture, ViewState *state, Error *er
     log_begin("recorded");
     log_text("name", name);
     log_end();
-    record_advance_day(state, record_step(params) * state->hours_per_second);
+    record_advance_day(state, view_frame_step(params) * state->hours_per_second);
     if (is_last(*done, picture, state)) state->wishes.quit = true;
     return true;
 }

@@ -4,14 +4,8 @@
 
 #include "view/picture.h"
 
-/* Frames a second if the user does not say. */
-enum { RECORD_RATE = 25 };
-
 /* How many seconds a file that paints by itself is recorded if the user does not say how many frames. */
 enum { RECORD_SECONDS = 10 };
-
-/* Seconds from one frame to the next. */
-double record_step(const ViewParams *params);
 
 /* Saves the picture as the next frame if it is done, moves the sun on, and closes the window behind the last
  * frame. `done` is the number of frames so far. */

@@ -1,16 +1,14 @@
 #include "view/view.h"
 
 #include "base/clock.h"
-#include "view/controls.h"
 #include "view/frame_log.h"
 #include "view/load.h"
 #include "view/log.h"
-#include "view/meter.h"
 #include "view/overlay.h"
-#include "view/picture.h"
-#include "view/play.h"
 #include "view/record.h"
 #include "view/say.h"
+#include "view/start.h"
+#include "view/tasks.h"
 #include "view/wishes.h"
 
 #include <math.h>
@@ -21,36 +19,9 @@
 /* The time between two pictures that are shown while the user does nothing. */
 static const double rest_interval_s = 0.06;
 
-typedef struct View {
-    const ViewParams *params;
-    ViewState state;
-    Window window;
-    Overlay *overlay;
-    Display display;
-    Picture picture;
-    Meter meter;
-    PlayNotes notes;
-    Watch watch;
-    Controls controls;
-    SceneMenu menu;
-    ViewFigures figures;
-    /* When the first event came that no picture has answered yet; 0 if there is none. */
-    double heard;
-    /* When a picture was last shown, and when the camera last flew. */
-    double shown, flown;
-    /* Whether the automatic exposure has not arrived, and when it last moved. */
-    bool adapting;
-    double adapted;
-    /* Whether there is something new to show. */
-    bool news;
-    /* The number of pictures to show in any case: the overlay needs some to settle. */
-    int linger;
-    int frames, recorded;
-} View;
-
 static bool show(View *view, Error *error) {
     DisplayParams params = picture_display(&view->picture, &view->state);
-    if (!display_draw(&view->display, &params, error)) return false;
+    if (!display_draw(&view->display, &params, error) || !busy_copy(&view->busy, error)) return false;
     overlay_draw(view->overlay);
     if (!gl_check(&view->window.context.gl, "drawing the overlay", error)) return false;
     window_present(&view->window);
@@ -66,50 +37,17 @@ static void set_title(View *view) {
 
 static bool reload_if_changed(View *view, Error *error) {
     if (!watch_changed(&view->watch)) return true;
-    double start = clock_seconds();
-    bool ok = load_again(&view->picture, &view->state, error);
-    if (ok) {
-        view_notice(&view->state, "%s: read again", view->state.file.file->path);
-        set_title(view);
-    } else if (view_is_refusal(error)) {
-        say_failure(&view->state, error);
-    } else {
-        return false;
-    }
-    load_watch(&view->picture, &view->state, &view->watch);
-    watch_folders(&view->watch, !ok);
-    view->heard = view->heard > 0 ? view->heard : start;
-    log_begin("reload");
-    log_text("result", ok ? "good" : "broken");
-    log_text("message", ok ? "" : error->text);
-    log_number("seconds", clock_seconds() - start);
-    log_end();
+    if (!busy_run(&view->busy, task_reload, view, error)) return false;
+    set_title(view);
     return true;
 }
 
 /* Opens the scene that the user wants. While a day is recorded its scene stays. */
 static bool open_if_wished(View *view, Error *error) {
-    ViewState *state = &view->state;
-    char *path = state->wishes.open;
-    if (!path || view->params->record) return true;
-    state->wishes.open = NULL;
-    bool ok = load_other(&view->picture, state, path, error);
-    if (ok) {
-        view_notice(state, "opened %s", path);
-        state->wishes.list = view->menu.beside.count || view->menu.installed.count;
-        set_title(view);
-        controls_release(&view->controls);
-        watch_free(&view->watch);
-        load_watch(&view->picture, state, &view->watch);
-    } else if (view_is_refusal(error)) {
-        say_failure(state, error);
-    }
-    log_begin("open");
-    log_text("path", path);
-    log_text("message", ok ? "" : error->text);
-    log_end();
-    free(path);
-    return ok || view_is_refusal(error);
+    if (!view->state.wishes.open || view->params->record) return true;
+    if (!busy_run(&view->busy, task_open_other, view, error)) return false;
+    set_title(view);
+    return true;
 }
 
 static void pass_time(View *view) {
@@ -176,7 +114,6 @@ static bool turn(View *view, Error *error) {
     ViewState *state = &view->state;
     bool busy = !view->frames || view->linger || state->playing || view->adapting ||
                 !picture_rests(&view->picture, state);
-    Error refusal;
     hear(view, busy && view->window.width ? 0 : 0.05);
     if (!reload_if_changed(view, error) || !open_if_wished(view, error)) return false;
     menu_update(&view->menu, state, view->params->library);
@@ -188,22 +125,12 @@ static bool turn(View *view, Error *error) {
     bool due = view->linger || !view->frames || state->playing || state->clock_running || view->adapting ||
                picture_hurries(&view->picture, state) || clock_seconds() > view->shown + rest_interval_s;
     if (due) {
-        if (!picture_figures(&view->picture, state, &view->figures, error)) return false;
+        if (!busy_run(&view->busy, task_find_figures, view, error)) return false;
         overlay_build(view->overlay, state, &view->figures);
     }
-    if (!picture_update(&view->picture, state, &refusal, error)) return false;
-    if (refusal.status != STATUS_DONE) say_refusal(state, &refusal);
-    bool drew = false;
-    if (!picture_draw(&view->picture, state, &drew, error)) return false;
-    view->news |= drew;
-    if (!play_say(&view->notes, &view->picture.toy, state, error)) return false;
-    /* The last figures are to be shown too. */
-    if (drew && picture_rests(&view->picture, state)) view->linger = 2;
-    if (!adapt(view, error)) return false;
-    if (!view->adapting) wishes_save(state, &view->picture);
-    if (view->params->record && state->playing &&
-        !record_frame(&view->recorded, &view->picture, state, error))
-        return false;
+    if (!busy_run(&view->busy, task_draw, view, error) || !adapt(view, error)) return false;
+    bool saves = (state->wishes.save && !view->adapting) || (view->params->record && state->playing);
+    if (saves && !busy_run(&view->busy, task_save, view, error)) return false;
     if (!due || !(view->news || view->linger)) return true;
     view->news = false;
     return present(view, error);
@@ -223,9 +150,13 @@ static bool open_window(View *view, Error *error) {
     view->figures.scale = view->window.scale;
     view->figures.menu = &view->menu;
     view->overlay = overlay_create(&view->window, &view->state, error);
+    view->busy.params = params;
+    view->busy.window = &view->window;
+    view->busy.display = &view->display;
+    view->busy.overlay = view->overlay;
     return view->overlay && display_create(&view->display, &view->window.context, params->library, error) &&
-           meter_create(&view->meter, &view->window.context, error) &&
-           picture_create(&view->picture, params, &view->window.context, &view->state, error);
+           meter_create(&view->meter, &view->window.context, error) && busy_start(&view->busy, error) &&
+           busy_run(&view->busy, task_create_picture, view, error);
 }
 
 static void log_start(const View *view, double started) {
@@ -241,7 +172,9 @@ static void log_start(const View *view, double started) {
 static void destroy(View *view) {
     /* OpenGL's objects are destroyed with their context, which may be lost. */
     if (view->window.handle) {
-        picture_destroy(&view->picture);
+        Error ignored;
+        if (view->busy.worker.hidden && !busy_run(&view->busy, task_destroy_picture, view, &ignored)) return;
+        busy_stop(&view->busy);
         meter_destroy(&view->meter);
         display_destroy(&view->display);
         overlay_destroy(view->overlay);

@@ -30,8 +30,19 @@ typedef struct ViewParams {
     uint64_t samples;
     /* The folder for frames (view/record.h). NULL means that nothing is recorded. */
     const char *record;
-    /* The number of frames, and frames a second. 0 means the usual (view/record.h). */
+    /* The number of frames, and frames a second. 0 means the usual. */
     int frames;
     double frame_rate;
     bool (*stop)(void);
+    /* Ends the program while a thread is in the middle of something, because the user closed the window or,
+     * if `stopped`, because stop() says so. It does not return. */
+    void (*leave)(bool stopped);
 } ViewParams;
+
+/* Frames a second of a record if the user does not say. */
+enum { RECORD_RATE = 25 };
+
+/* Seconds from one frame of a record to the next. */
+static inline double view_frame_step(const ViewParams *params) {
+    return 1 / (params->frame_rate > 0 ? params->frame_rate : RECORD_RATE);
+}

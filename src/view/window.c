@@ -6,11 +6,12 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* For window_calls(). */
-static Window *opened;
+static atomic_bool called;
 
 static Window *window_of(GLFWwindow *handle) {
     return glfwGetWindowUserPointer(handle);
@@ -99,6 +100,15 @@ static bool may_have_display(void) {
     return getenv("DISPLAY") || getenv("WAYLAND_DISPLAY") || getenv("XDG_RUNTIME_DIR");
 }
 
+static void hint_context(void) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+}
+
 /* Creates a window of this size, or as large as the screen allows. */
 static GLFWwindow *create(const char *title, int width, int height) {
     int x, y, most_width = 0, most_height = 0;
@@ -106,12 +116,7 @@ static GLFWwindow *create(const char *title, int width, int height) {
     if (monitor) glfwGetMonitorWorkarea(monitor, &x, &y, &most_width, &most_height);
     if (most_width > 0 && width > most_width) width = most_width;
     if (most_height > 0 && height > most_height) height = most_height;
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);
-    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    hint_context();
     return glfwCreateWindow(width, height, title, NULL, NULL);
 }
 
@@ -142,7 +147,6 @@ bool window_open(Window *window, const char *title, int width, int height, Error
     glfwSwapInterval(0);
     measure(window);
     window->polled = clock_seconds();
-    opened = window;
     return true;
 fail:
     window_close(window);
@@ -150,7 +154,6 @@ fail:
 }
 
 void window_close(Window *window) {
-    opened = NULL;
     context_close(&window->context);
     if (window->handle) glfwDestroyWindow(window->handle);
     glfwTerminate();
@@ -171,11 +174,45 @@ void window_poll(Window *window, double seconds) {
     if (!count && window->event_count) window->heard = seconds > 0 ? clock_seconds() : window->polled;
     window->polled = before;
     measure(window);
+    if (window->event_count || window->exposed || window->closed) atomic_store(&called, true);
 }
 
 bool window_calls(void) {
-    if (opened) window_poll(opened, 0);
-    return opened && (opened->event_count || opened->exposed || opened->closed);
+    return atomic_load(&called);
+}
+
+void window_forget_call(void) {
+    atomic_store(&called, false);
+}
+
+bool window_wants_end(const Window *window) {
+    bool ends = window->closed;
+    for (int i = 0; i < window->event_count; i++) {
+        const WindowEvent *event = &window->events[i];
+        ends |= event->kind == WINDOW_KEY && event->key == GLFW_KEY_ESCAPE && event->action == GLFW_PRESS;
+    }
+    return ends;
+}
+
+GLFWwindow *window_create_hidden(const Window *window, Error *error) {
+    hint_context();
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    GLFWwindow *hidden = glfwCreateWindow(1, 1, "magichour", NULL, window->handle);
+    if (!hidden) refuse("no second OpenGL context", error);
+    return hidden;
+}
+
+void window_destroy_hidden(GLFWwindow *hidden) {
+    glfwDestroyWindow(hidden);
+}
+
+bool window_adopt_hidden(GLFWwindow *hidden, Context *context, Error *error) {
+    glfwMakeContextCurrent(hidden);
+    return context_adopt(context, glfwGetProcAddress, error);
+}
+
+void window_release_hidden(void) {
+    glfwMakeContextCurrent(NULL);
 }
 
 void window_present(Window *window) {

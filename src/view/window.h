@@ -60,9 +60,22 @@ void window_close(Window *window);
 /* Waits up to `seconds` for something to happen. Events are added to `events`, which the caller empties. */
 void window_poll(Window *window, double seconds);
 
-/* Says whether something has happened to the window that was opened last. Call it in the middle of long work.
- */
+/* Says whether something has happened to the window since window_forget_call(), as far as window_poll()
+ * knows. Any thread may call it in the middle of long work. */
 bool window_calls(void);
+void window_forget_call(void);
+
+/* Whether the user has closed the window, or has pressed Escape in an event that nobody has read. */
+bool window_wants_end(const Window *window);
+
+/* A window that is never shown. Its context shares textures with this window's. NULL and STATUS_NO_GL if
+ * there is none. */
+GLFWwindow *window_create_hidden(const Window *window, Error *error);
+void window_destroy_hidden(GLFWwindow *hidden);
+
+/* Makes the hidden window's context the calling thread's and fills `context`. */
+MUST_CHECK bool window_adopt_hidden(GLFWwindow *hidden, Context *context, Error *error);
+void window_release_hidden(void);
 
 /* Shows what was drawn on framebuffer 0. */
 void window_present(Window *window);
