@@ -124,17 +124,15 @@ static void test_compiling(void **state) {
     desktop_pixel(window, 300, 20, rgb);
     assert_true(rgb[0] < 4 && abs(rgb[1] - 51) < 4 && rgb[2] > 250);
     /* The line's amber stands below. */
-    bool amber = false;
-    for (int x = 4; x < 120 && !amber; x++) {
-        desktop_pixel(window, x, 168, rgb);
-        amber = rgb[0] > 180 && rgb[1] > 120 && rgb[2] < 120;
-    }
+    static const int amber[3] = {255, 199, 79};
+    int x, y;
+    bool found = desktop_find(window, amber, 150, &x, &y);
     desktop_expect(window, "\"result\": \"good\"", "");
     desktop_pixel(window, 300, 20, rgb);
     for (double end = clock_seconds() + 60; clock_seconds() < end && rgb[2] > 4;)
         desktop_pixel(window, 300, 20, rgb);
     assert_true(abs(rgb[1] - 153) < 4 && rgb[2] < 4);
-    assert_true(amber);
+    assert_true(found);
     desktop_quit(window);
 }
 
