@@ -1,6 +1,6 @@
 # magichour. The two commands: `make demo` and `make test`; both install what is missing first (tools/deps.sh).
 # MODE=asan builds with the address and undefined-behaviour sanitizers, into build/asan. WERROR=1 makes warnings errors.
-# WINDOW=0 leaves out the window with GLFW and Dear ImGui, CHART=0 leaves out `chart` with Cairo.
+# WINDOW=0 leaves out the window with GLFW and Dear ImGui, CHART=0 leaves out `chart` with Cairo, ALMANAC=0 the sun by place and time with ERFA.
 
 MODE ?= release
 PREFIX ?= /usr/local
@@ -9,16 +9,17 @@ BUILD := $(if $(filter release,$(MODE)),build,build/$(MODE))
 # A file *_none.c stands in for what is left out, and says so.
 LEFT_OUT := $(if $(filter 0,$(WINDOW)),src/view/% %/context_glfw.c %/cmd_view.c,%/context_glfw_none.c %/cmd_view_none.c)
 LEFT_OUT += $(if $(filter 0,$(CHART)),src/chart/chart% src/chart/plot% %/cmd_chart.c,%/cmd_chart_none.c)
+LEFT_OUT += $(if $(filter 0,$(ALMANAC)),%/scene/almanac.c tests/test_almanac.c,%/almanac_none.c)
 LEFT_OUT += $(if $(filter 0,$(WINDOW)),tests/test_view.c tests/test_window%) $(if $(filter 0,$(CHART)),tests/test_chart.c)
 
 # pkg-config is slow, so it is asked once. Its answer is empty where a library is missing.
-PKGS := OpenEXR libpng $(if $(filter 0,$(CHART)),,cairo) $(if $(filter 0,$(WINDOW)),,glfw3 imgui)
+PKGS := OpenEXR libpng $(if $(filter 0,$(ALMANAC)),,erfa) $(if $(filter 0,$(CHART)),,cairo) $(if $(filter 0,$(WINDOW)),,glfw3 imgui)
 ANSWER := $(shell pkg-config --cflags --libs $(PKGS) 2>/dev/null)
 PKG_LIBS := $(filter -L% -l% -Wl%,$(ANSWER))
 PKG_CFLAGS := $(filter-out $(PKG_LIBS),$(ANSWER))
 
 # The packages of tools/deps.sh that this build needs, and those that its tests need besides.
-NEEDS := build $(if $(filter 0,$(WINDOW)),,window) $(if $(filter 0,$(CHART)),,chart)
+NEEDS := build $(if $(filter 0,$(WINDOW)),,window) $(if $(filter 0,$(CHART)),,chart) $(if $(filter 0,$(ALMANAC)),,almanac)
 TEST_NEEDS := test $(if $(filter 0,$(WINDOW)),,window-test)
 
 ifeq ($(MODE),asan)

@@ -3,6 +3,7 @@
 #include "support.h"
 
 #include "base/lines.h"
+#include "scene/almanac.h"
 #include "view/carry.h"
 #include "view/day.h"
 #include "view/exposure.h"
@@ -38,18 +39,51 @@ static void test_orbit(void **state) {
 /* A day goes through the sun's place of the start, culminates, and leaves out the dark. */
 static void test_day_of_the_sun(void **state) {
     (void)state;
-    Day day = day_through(20, 200);
-    double elevation, azimuth, highest = -90, lowest = 90, length = 0;
-    day_sun(&day, &elevation, &azimuth);
-    assert_true(fabs(elevation - 20) < 1e-9 && fabs(azimuth - 200) < 1e-9);
+    Scene scene = scene_default("test", "glsl");
+    scene_set_sun(&scene, 20, 200);
+    const Sun *sun = &scene.values.sun;
+    Day day = day_of(&scene.values);
+    double highest = -90, lowest = 90, length = 0;
+    day_apply(&day, &scene.values);
+    assert_true(fabs(sun->elevation_deg - 20) < 1e-9 && fabs(sun->azimuth_deg - 200) < 1e-9);
     for (; length < 2 * day_length(&day); length += 0.01) {
         day_advance(&day, 0.01);
-        day_sun(&day, &elevation, &azimuth);
-        highest = fmax(highest, elevation);
-        lowest = fmin(lowest, elevation);
-        assert_true(azimuth >= 0 && azimuth < 360);
+        day_apply(&day, &scene.values);
+        highest = fmax(highest, sun->elevation_deg);
+        lowest = fmin(lowest, sun->elevation_deg);
+        assert_true(sun->azimuth_deg >= 0 && sun->azimuth_deg < 360);
     }
     assert_true(fabs(highest - 60) < 0.01 && lowest > -18.2 && lowest < -17.8);
+    scene_destroy(&scene);
+}
+
+/* The real day of a place: its noon, and a night whose dark part is left out. The dark lasts 13.5 hours in
+ * Munich at the winter solstice, so that the day is played in less than 14. */
+static void test_real_day(void **state) {
+    (void)state;
+    Scene scene = scene_default("test", "glsl");
+    Error error;
+    if (almanac_missing()) skip();
+    assert_true(scene_set(&scene, "sun.where", "48.14,11.58", &error));
+    assert_true(scene_set(&scene, "sun.when", "2026-12-21T12:00+01:00", &error));
+    const Sun *sun = &scene.values.sun;
+    Day day = day_of(&scene.values);
+    double highest = -90, lowest = 90, begin = scene.values.clock.utc_s, played = day_length(&day);
+    assert_true(played > 11 && played < 13);
+    for (double length = 0; length < played; length += 0.01) {
+        day_advance(&day, 0.01);
+        day_apply(&day, &scene.values);
+        highest = fmax(highest, sun->elevation_deg);
+        lowest = fmin(lowest, sun->elevation_deg);
+    }
+    assert_true(fabs(highest - 18.42) < 0.02 && lowest > -18.3 && lowest < -17.7);
+    assert_true(fabs(scene.values.clock.utc_s - begin - 86400) < 1200);
+    /* A sun that is moved by hand leaves the real day. */
+    scene_set_sun(&scene, 20, 200);
+    day = day_of(&scene.values);
+    day_apply(&day, &scene.values);
+    assert_true(fabs(sun->elevation_deg - 20) < 1e-9);
+    scene_destroy(&scene);
 }
 
 /* What was set stays, what was not follows the file. */
@@ -279,11 +313,17 @@ static void test_help(void **state) {
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orbit),    cmocka_unit_test(test_day_of_the_sun),
-        cmocka_unit_test(test_carry),    cmocka_unit_test(test_meter),
-        cmocka_unit_test(test_exposure), cmocka_unit_test(test_exposure_of_an_edit),
-        cmocka_unit_test(test_bar),      cmocka_unit_test(test_remember),
-        cmocka_unit_test(test_help),     cmocka_unit_test(test_curve),
+        cmocka_unit_test(test_orbit),
+        cmocka_unit_test(test_day_of_the_sun),
+        cmocka_unit_test(test_real_day),
+        cmocka_unit_test(test_carry),
+        cmocka_unit_test(test_meter),
+        cmocka_unit_test(test_exposure),
+        cmocka_unit_test(test_exposure_of_an_edit),
+        cmocka_unit_test(test_bar),
+        cmocka_unit_test(test_remember),
+        cmocka_unit_test(test_help),
+        cmocka_unit_test(test_curve),
         cmocka_unit_test(test_words),
     };
     return cmocka_run_group_tests_name("view", tests, support_folder, support_clean);

@@ -4,7 +4,7 @@
 # is missing and how to install it, and fails. The names are those of Debian 12, Debian 13 and Ubuntu 24.04.
 set -eu
 
-groups="build window chart test window-test lint ci figures"
+groups="build window chart almanac test window-test lint ci figures"
 packages_of() {
     case $1 in
     # The compilers, the libraries of picture formats, and an OpenGL that runs on any machine (Mesa's llvmpipe).
@@ -12,6 +12,8 @@ packages_of() {
     # The window of `view`, which WINDOW=0 leaves out, and the charts, which CHART=0 leaves out.
     window) echo libglfw3-dev libimgui-dev ;;
     chart) echo libcairo2-dev ;;
+    # Where the sun stands at a place and a time, which ALMANAC=0 leaves out.
+    almanac) echo liberfa-dev ;;
     # The test framework, and GLM for the oracle; a display for the windows, and hands for them.
     test) echo libcmocka-dev libglm-dev ;;
     window-test) echo xvfb xauth xdotool ;;

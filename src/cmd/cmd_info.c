@@ -2,9 +2,11 @@
 #include "base/version.h"
 #include "choice/method.h"
 #include "cmd/cmd.h"
+#include "cmd/info_sun.h"
 #include "cmd/setup.h"
 #include "gl/context.h"
 #include "scene/scene_list.h"
+#include "scene/sun_clock.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -135,6 +137,7 @@ static bool info_scene(const Options *options, Error *error) {
     Scene scene = {0};
     bool ok = setup_library(options, &library, error) && setup_scene(options, library, &scene, error);
     if (ok) print_scene(&scene);
+    if (ok && sun_clock_runs(&scene.values.clock)) info_print_sun(&scene.values.clock);
     scene_destroy(&scene);
     free(library);
     return ok;
@@ -161,6 +164,11 @@ static void print_scenes(const Options *options) {
 static bool info_program(const Options *options, Error *error) {
     Scene scene;
     if (!setup_scene(options, NULL, &scene, error)) return false;
+    if (sun_clock_runs(&scene.values.clock)) {
+        info_print_sun(&scene.values.clock);
+        scene_destroy(&scene);
+        return true;
+    }
     printf("magichour %s\n", MAGICHOUR_VERSION);
     print_scenes(options);
     bool ok = print_backends(options, error);

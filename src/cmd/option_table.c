@@ -111,6 +111,15 @@ const OptionRow option_table[] = {
 
     {GROUP_SKY, "--sun", "EL[,AZ]", R | V | S | H | E, TAKE(take_sun),
      "the sun's elevation and azimuth (from +z toward +x), degrees", NULL},
+    {GROUP_SKY, "--when", "TIME", R | V | I | S | H | E, STRING(when),
+     "with --where: the sun as it stands at this time, such as 2026-06-21T20:30+02:00 (Z is UTC). Refraction "
+     "is left "
+     "out, as in pictures",
+     NULL},
+    {GROUP_SKY, "--where", "LAT,LON[,M]", R | V | I | S | H | E, STRING(where),
+     "the place: degrees north, degrees east and metres of height. +z is north, or sun.north says where "
+     "north is",
+     NULL},
     {GROUP_SKY, "--sun-disk", "[=METHOD]", R | V | F | S | H | E, SWITCH(sun_disk),
      "show the sun's disk, 0.2666 degrees in radius: on, off or a method; on if it has no word; the scene's "
      "by "

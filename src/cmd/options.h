@@ -40,6 +40,8 @@ typedef struct Options {
     int width, height;
     bool has_sun, has_azimuth;
     double sun_elevation_deg, sun_azimuth_deg;
+    /* The moment and the place that say where the sun stands. */
+    const char *when, *where;
     const char *preset, *atmosphere, *sky, *light, *sequence, *backend, *glsl_dir;
 
     /* Words such as "NAME=VALUE". */

@@ -15,6 +15,9 @@ bool options_check(const Options *options, Error *error) {
     if (command == COMMAND_RENDER && options->error.amount > 0 && options->samples)
         return error_set(error, STATUS_USAGE,
                          "--error takes as many samples as it needs, --spp takes so many: one of them");
+    if (options->has_sun && (options->when || options->where))
+        return error_set(error, STATUS_USAGE,
+                         "--sun says where the sun stands, and so do --when and --where: one of them");
     if (command == COMMAND_VIEW && options->progress && strcmp(options->progress, "tty") == 0)
         return error_set(error, STATUS_USAGE, "--progress: view has json and none, for the window shows it");
     return true;
@@ -40,6 +43,8 @@ static void warn_sky(const Options *options) {
     bool at = options->at != NULL, png = shows(options);
     warn(at && options->width, "--size", rows);
     warn(at && options->has_sun, "--sun", rows);
+    warn(at && options->when, "--when", rows);
+    warn(at && options->where, "--where", rows);
     warn(at && options->sun_disk, "--sun-disk", "--at writes the sky's radiances alone");
     warn(at ? options->has_exposure : options->has_exposure && !png, "--exposure", at ? rows : shown);
     warn(at ? options->tone != NULL : options->tone && !png, "--tone", at ? rows : shown);

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "cmd/scene_find.h"
+#include "scene/sun_clock.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -76,6 +77,13 @@ bool setup_scene(const Options *options, const char *library, Scene *scene, Erro
     const Sun *sun = &scene->values.sun;
     if (options->has_sun) scene_set_sun(scene, options->sun_elevation_deg, sun->azimuth_deg);
     if (options->has_azimuth) scene_set_sun(scene, sun->elevation_deg, options->sun_azimuth_deg);
+    if ((options->where && !sun_clock_set_where(&scene->values, "--where", options->where, error)) ||
+        (options->when && !sun_clock_set_when(&scene->values, "--when", options->when, error)))
+        goto fail;
+    if (options->where && !sun_clock_runs(&scene->values.clock)) {
+        error_set(error, STATUS_USAGE, "--where says where the sun stands only together with --when");
+        goto fail;
+    }
     if (options->has_exposure) scene->values.exposure_ev = options->exposure_ev;
     if (options->orders && !atmosphere_set(&scene->values.atmosphere, "orders", options->orders, error)) {
         error_prefix(error, "--orders: ");

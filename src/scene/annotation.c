@@ -66,9 +66,14 @@ static bool read_camera(Line *line, Error *error) {
 }
 
 static bool read_sun(Line *line, Error *error) {
-    static const Key table[] = {
-        {"elevation", "sun.elevation", 1}, {"azimuth", "sun.azimuth", 1}, {"radius", "sun.radius", 1}};
-    return read_keys(line, table, 3, error);
+    static const Key table[] = {{"elevation", "sun.elevation", 1}, {"azimuth", "sun.azimuth", 1},
+                                {"radius", "sun.radius", 1},       {"when", "sun.when", 1},
+                                {"where", "sun.where", 1},         {"north", "sun.north", 1}};
+    if (!read_keys(line, table, 6, error)) return false;
+    if (!line_has(line, "sun when") || (!line_has(line, "sun elevation") && !line_has(line, "sun azimuth")))
+        return true;
+    return error_set(error, STATUS_SCENE,
+                     "sun: elevation and azimuth say where the sun stands, and so does when: one of them");
 }
 
 static bool read_exposure(Line *line, Error *error) {

@@ -41,6 +41,13 @@ bool line_once(Line *line, const char *key, Error *error) {
     return true;
 }
 
+bool line_has(const Line *line, const char *key) {
+    for (int i = 0; i < line->seen->count; i++) {
+        if (strcmp(line->seen->items[i].key, key) == 0) return true;
+    }
+    return false;
+}
+
 void line_seen_free(LineSeen *seen) {
     free(seen->items);
     *seen = (LineSeen){0};

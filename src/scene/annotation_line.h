@@ -36,6 +36,9 @@ MUST_CHECK bool line_cut(Line *line, char *text, Error *error);
 MUST_CHECK bool line_once(Line *line, const char *key, Error *error);
 void line_seen_free(LineSeen *seen);
 
+/* Whether such a key was noted. */
+bool line_has(const Line *line, const char *key);
+
 /* Fails if there are words from `at` on. */
 MUST_CHECK bool line_end(const Line *line, int at, Error *error);
 

@@ -6,6 +6,7 @@
 #include "scene/annotation_hints.h"
 #include "scene/hint_glsl.h"
 #include "scene/spectrum.h"
+#include "scene/sun_clock.h"
 #include "scene/uniform_check.h"
 
 #include <math.h>
@@ -73,6 +74,7 @@ bool scene_choose_preset(Scene *scene, const char *name, Error *error) {
 
 void scene_set_sun(Scene *scene, double elevation_deg, double azimuth_deg) {
     scene->values.sun = sun_at(elevation_deg, azimuth_deg, scene->values.sun.radius_deg);
+    scene->values.clock.utc_s = NAN;
 }
 
 /* A word of a hint: a number, or a slider's value, with the minus that may stand before its name. */
@@ -118,6 +120,7 @@ bool scene_check(const Scene *scene, Error *error) {
     double distance = hypot(hypot(target[0] - eye[0], target[1] - eye[1]), target[2] - eye[2]);
     if (distance < 1e-6)
         return error_set(error, STATUS_USAGE, "%s: the camera's eye is at its target", scene->file->path);
-    return atmosphere_check(&scene->values.atmosphere, error) &&
+    return sun_clock_check(&scene->values.clock, error) &&
+           atmosphere_check(&scene->values.atmosphere, error) &&
            spectrum_check(&scene->values.atmosphere, error);
 }

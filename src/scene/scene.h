@@ -33,7 +33,7 @@ bool scene_same(const Scene *a, const Scene *b);
 MUST_CHECK bool scene_set(Scene *scene, const char *name, const char *value, Error *error);
 MUST_CHECK bool scene_choose_preset(Scene *scene, const char *name, Error *error);
 
-/* Sets the sun's place and keeps its radius. */
+/* Sets the sun's place and keeps its radius. The scene's clock then no longer says where the sun stands. */
 void scene_set_sun(Scene *scene, double elevation_deg, double azimuth_deg);
 
 /* How many hints of a kind there are: none if the kind is ignored. */

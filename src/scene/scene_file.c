@@ -1,6 +1,7 @@
 #include "scene/scene_file.h"
 
 #include "base/memory.h"
+#include "scene/sun_clock.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +16,7 @@ SceneFile *scene_file_create(const char *path, const char *library) {
                         .height = 512,
                         .values = {.camera = {.eye = {0, 2, -4}, .fov_deg = 90},
                                    .sun = sun_at(30, 0, 0.2666),
+                                   .clock = sun_clock_none(),
                                    .atmosphere = atmosphere_preset(0)->atmosphere},
                         .users = 1};
     return file;

@@ -13,9 +13,20 @@ typedef struct Viewpoint {
     double eye[3], target[3], fov_deg;
 } Viewpoint;
 
+/* When and where the sun is looked up (scene/sun_clock.h). */
+typedef struct SunClock {
+    /* The moment (scene/moment.h). utc_s is NAN if none is set, or if the sun was moved by hand since. */
+    double utc_s, zone_s;
+    /* The place (scene/almanac.h). The first two are NAN if none is set. */
+    double latitude_deg, longitude_deg, height_m;
+    /* The scene's azimuth of true north. */
+    double north_deg;
+} SunClock;
+
 typedef struct SceneValues {
     Viewpoint camera;
     Sun sun;
+    SunClock clock;
     double exposure_ev;
     /* Shadertoy's iTime and iMouse, for scenes that want them. */
     double time_s, mouse[4];

@@ -1,30 +1,37 @@
 #include "scene/setting.h"
 
 #include "base/known.h"
+#include "scene/sun_clock.h"
 #include "scene/value.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
 enum { SIDE_LIMIT = 16384 };
 static const double pixel_limit = 67108864; /* 4 GiB of film */
 
-/* Settings that every scene has, as --set and presets name them. */
+/* Settings that every scene has, as --set and presets name them: numbers in a range, or what a function
+ * takes. */
 static const struct {
     const char *name;
     size_t offset;
     int count;
     double min, max;
+    bool (*take)(SceneValues *values, const char *name, const char *text, Error *error);
 } common_settings[] = {
-    {"sun.elevation", offsetof(SceneValues, sun.elevation_deg), 1, -90, 90},
-    {"sun.azimuth", offsetof(SceneValues, sun.azimuth_deg), 1, -360, 360},
-    {"sun.radius", offsetof(SceneValues, sun.radius_deg), 1, 0.01, 30},
-    {"exposure", offsetof(SceneValues, exposure_ev), 1, -64, 64},
-    {"time", offsetof(SceneValues, time_s), 1, 0, 1e6},
-    {"mouse", offsetof(SceneValues, mouse), 4, -1e6, 1e6},
-    {"camera.eye", offsetof(SceneValues, camera.eye), 3, -1e6, 1e6},
-    {"camera.target", offsetof(SceneValues, camera.target), 3, -1e6, 1e6},
-    {"camera.fov", offsetof(SceneValues, camera.fov_deg), 1, 0.01, 179},
+    {"sun.elevation", offsetof(SceneValues, sun.elevation_deg), 1, -90, 90, NULL},
+    {"sun.azimuth", offsetof(SceneValues, sun.azimuth_deg), 1, -360, 360, NULL},
+    {"sun.radius", offsetof(SceneValues, sun.radius_deg), 1, 0.01, 30, NULL},
+    {"exposure", offsetof(SceneValues, exposure_ev), 1, -64, 64, NULL},
+    {"time", offsetof(SceneValues, time_s), 1, 0, 1e6, NULL},
+    {"mouse", offsetof(SceneValues, mouse), 4, -1e6, 1e6, NULL},
+    {"camera.eye", offsetof(SceneValues, camera.eye), 3, -1e6, 1e6, NULL},
+    {"camera.target", offsetof(SceneValues, camera.target), 3, -1e6, 1e6, NULL},
+    {"camera.fov", offsetof(SceneValues, camera.fov_deg), 1, 0.01, 179, NULL},
+    {"sun.when", 0, 1, 0, 0, sun_clock_set_when},
+    {"sun.where", 0, 1, 0, 0, sun_clock_set_where},
+    {"sun.north", 0, 1, 0, 0, sun_clock_set_north},
 };
 enum { COMMON_SETTINGS = sizeof common_settings / sizeof *common_settings };
 
@@ -54,12 +61,15 @@ static bool set_parameter(const Parameter *parameter, double *values, const char
 
 static bool set_common(SceneValues *values, int setting, const char *value, Error *error) {
     const char *name = common_settings[setting].name;
+    if (common_settings[setting].take) return common_settings[setting].take(values, name, value, error);
     double *target = (double *)(void *)((char *)values + common_settings[setting].offset);
     if (!value_parse(name, value, common_settings[setting].count, common_settings[setting].min,
                      common_settings[setting].max, target, error))
         return false;
     Sun *sun = &values->sun;
+    bool moved = target == &sun->elevation_deg || target == &sun->azimuth_deg;
     *sun = sun_at(sun->elevation_deg, sun->azimuth_deg, sun->radius_deg);
+    if (moved) values->clock.utc_s = NAN;
     return true;
 }
 

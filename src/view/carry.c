@@ -1,5 +1,7 @@
 #include "view/carry.h"
 
+#include "scene/sun_clock.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -19,6 +21,12 @@ static void carry_sun(Sun *next, const Sun *file, const Sun *current) {
     carry(&sun.azimuth_deg, &file->azimuth_deg, &current->azimuth_deg, 1);
     carry(&sun.radius_deg, &file->radius_deg, &current->radius_deg, 1);
     *next = sun_at(sun.elevation_deg, sun.azimuth_deg, sun.radius_deg);
+}
+
+/* A clock that runs says where the sun stands. */
+static void carry_clock(SceneValues *next, const SunClock *file, const SunClock *current) {
+    if (memcmp(file, current, sizeof *file) != 0) next->clock = *current;
+    if (sun_clock_runs(&next->clock)) sun_clock_set_utc(next, next->clock.utc_s);
 }
 
 static void carry_atmosphere(Atmosphere *next, const Atmosphere *file, const Atmosphere *current) {
@@ -52,6 +60,7 @@ void carry_over(Scene *next, const Scene *file, const Scene *current) {
     const SceneValues *before = &file->values, *now = &current->values;
     carry_camera(&to->camera, &before->camera, &now->camera);
     carry_sun(&to->sun, &before->sun, &now->sun);
+    carry_clock(to, &before->clock, &now->clock);
     carry(&to->exposure_ev, &before->exposure_ev, &now->exposure_ev, 1);
     if (before->sun_disk != now->sun_disk) to->sun_disk = now->sun_disk;
     carry_atmosphere(&to->atmosphere, &before->atmosphere, &now->atmosphere);

@@ -89,8 +89,7 @@ void keys_prompt(ViewState *state, int key) {
 
 static void toggle_day(ViewState *state) {
     state->playing = !state->playing;
-    if (state->playing)
-        state->day = day_through(state->scene.values.sun.elevation_deg, state->scene.values.sun.azimuth_deg);
+    if (state->playing) state->day = day_of(&state->scene.values);
     view_notice(state, state->playing ? "a day, %g hours a second" : "the day stands still",
                 state->hours_per_second);
 }

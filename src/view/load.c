@@ -31,7 +31,7 @@ static void begin_scene(ViewState *state, const char *preset) {
     state->own_sun = state->playing = state->prompting = state->clicked = false;
     state->clock_running = state->file.file->facts.is_toy;
     state->clock_seconds = state->file.values.time_s;
-    state->day = day_through(state->scene.values.sun.elevation_deg, state->scene.values.sun.azimuth_deg);
+    state->day = day_of(&state->scene.values);
 }
 
 bool load_first(ViewState *state, const ViewParams *params, Error *error) {

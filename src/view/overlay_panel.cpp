@@ -2,6 +2,7 @@
 
 extern "C" {
 #include "choice/method.h"
+#include "scene/sun_clock.h"
 }
 
 #include <algorithm>
@@ -26,7 +27,17 @@ static bool slider(const char *label, double *value, double min, double max, con
     return true;
 }
 
+/* When and where, if that is what says where the sun stands. */
+static void clock_line(const SunClock *clock) {
+    if (!sun_clock_runs(clock)) return;
+    Text text = {nullptr, 0, 0};
+    sun_clock_print(clock, &text);
+    ImGui::TextWrapped("%s", text_string(&text));
+    text_free(&text);
+}
+
 static void sun_section(ViewState *state) {
+    clock_line(&state->scene.values.clock);
     double elevation = state->scene.values.sun.elevation_deg, azimuth = state->scene.values.sun.azimuth_deg;
     bool moved = slider("elevation", &elevation, -18, 90, "%.2f deg");
     moved = slider("azimuth", &azimuth, 0, 360, "%.2f deg") || moved;
@@ -41,7 +52,7 @@ static void sun_section(ViewState *state) {
     ImGui::SameLine();
     if (ImGui::Button(state->playing ? "stop the day" : "play a day")) {
         state->playing = !state->playing;
-        state->day = day_through(elevation, azimuth);
+        state->day = day_of(&state->scene.values);
     }
     if (state->playing) slider("hours/s", &state->hours_per_second, 0.01, 4, "%.2f");
     double exposure = state->scene.values.exposure_ev;

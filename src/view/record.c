@@ -5,10 +5,8 @@
 #include <stdio.h>
 
 void record_advance_day(ViewState *state, double hours) {
-    double elevation, azimuth;
     day_advance(&state->day, hours);
-    day_sun(&state->day, &elevation, &azimuth);
-    scene_set_sun(&state->scene, elevation, azimuth);
+    day_apply(&state->day, &state->scene.values);
 }
 
 /* Whether that was the last frame: of those that were asked for, of the day, or of some seconds. */
