@@ -13,7 +13,7 @@ static const KeysHelp help[] = {
     {"arrows, shift + arrows", "the sun by a degree, by a tenth"},
     {"Enter", "type the sun's elevation and azimuth: `-4` or `5 90`"},
     {"1 2 3 4", "the paper's times: sun at 60, 30, 5, -2 degrees"},
-    {"T, comma, period", "play a day, slower, faster"},
+    {"T, comma, period", "play a day (the real one with --when and --where), slower, faster"},
     {"left drag, wheel", "orbit, nearer and farther"},
     {"shift + drag, middle drag", "look around, shift the view"},
     {"W A S D, E Q", "fly, up and down"},
