@@ -29,5 +29,5 @@ void start_state(ViewState *state, const ViewParams *params) {
     state->clock_seconds = state->file.values.time_s;
     state->overlay = true;
     state->playing = params->record != NULL;
-    state->day = day_through(state->scene.values.sun.elevation_deg, state->scene.values.sun.azimuth_deg);
+    state->day = day_of(&state->scene.values);
 }
