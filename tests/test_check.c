@@ -95,6 +95,38 @@ static void test_lamp(void **state) {
     image_free(&image);
 }
 
+/* Metal and glass of numbers that no metal and no glass has. */
+static void test_others(void **state) {
+    (void)state;
+    static const struct {
+        const char *material, *wrong, *right, *said;
+    } cases[] = {{"rough_metal", "rough_metal(vec3(0.9), 1.5)", "rough_metal(vec3(0.9), 1.0)",
+                  "object 1 has a roughness of 1.5;"},
+                 {"rough_metal", "rough_metal(vec3(0.9), -0.5)", "rough_metal(vec3(0.9), 0.0)",
+                  "object 1 has a roughness of -0.5;"},
+                 {"glass", "glass(-1.5)", "glass(0.1)", "object 1 has an index of refraction of -1.5;"},
+                 {"glass", "glass(0.0)", "glass(0.1)", "object 1 has an index of refraction of 0;"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const char *paths[2];
+        for (int right = 0; right < 2; right++) {
+            char text[1024];
+            snprintf(
+                text, sizeof text,
+                "//@ camera eye 0 0.5 -4 target 0 0 0 fov 60\n#include \"material/%s.glsl\"\n"
+                "#include \"shape/sphere.glsl\"\n"
+                "void scene_intersect(Ray ray, INOUT(Hit) hit) { hit_sphere(ray, vec3(0.0), 1.0, 1, hit); }\n"
+                "Material scene_material(Hit hit) { return %s; }\n",
+                cases[i].material, right ? cases[i].right : cases[i].wrong);
+            paths[right] = render(support_write("other.glsl", text), right ? "right.pfm" : "wrong.pfm");
+            if (right)
+                assert_string_equal(support_err, "");
+            else if (!strstr(support_err, cases[i].said))
+                fail_msg("%s: %s", cases[i].wrong, support_err);
+        }
+        assert_true(compare(paths[0], paths[1]).rel_rmse_percent == 0);
+    }
+}
+
 /* The error of a scene far from the origin stays below what the warning says, and nothing is said where it is
  * small. */
 static void test_far(void **state) {
@@ -121,8 +153,8 @@ static void test_far(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_good), cmocka_unit_test(test_normals),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_good),    cmocka_unit_test(test_normals),
                                        cmocka_unit_test(test_albedos), cmocka_unit_test(test_lamp),
-                                       cmocka_unit_test(test_far)};
+                                       cmocka_unit_test(test_others),  cmocka_unit_test(test_far)};
     return cmocka_run_group_tests_name("check", tests, support_folder, support_clean);
 }

@@ -35,11 +35,16 @@ Hit surface_hit(Ray ray) {
     return surface_faced(surface_reported(ray), ray);
 }
 
+// No substance bends light more than this.
+const float SURFACE_LEAST_IOR = 0.1;
+
 // What is there, as the ray meets it: from within a solid the index of refraction is the other way round. No surface reflects less than no light, or
 // more than all. The light of a lamp may be of any strength, so it is taken from scene_material() itself (emission/met.glsl).
 Material surface_material(Hit hit) {
     Material material = scene_material(hit);
     material.color = clamp(material.color, 0.0, 1.0);
+    material.roughness = clamp(material.roughness, 0.0, 1.0);
+    material.ior = max(material.ior, SURFACE_LEAST_IOR);
     material.ior = hit.inside ? 1.0 / material.ior : material.ior;
     return material;
 }

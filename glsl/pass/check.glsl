@@ -1,7 +1,7 @@
 #version 330 core
-// Looks for values that no surface can have, in what the scene itself reports along a few paths for each pixel of a coarse picture: normals
-// that are not of unit length, and albedos below 0 or above 1. Pictures are made with values that are put right (light/surface.glsl), so the host
-// says it. It also looks for surfaces whose coordinates are large beside their distance from the camera, because float has too few digits there.
+// Looks for values that no surface can have, in what the scene itself reports along a few paths for each pixel of a coarse picture. Pictures are made
+// with values that are put right (light/surface.glsl), so the host says it. It also looks for surfaces whose coordinates are large beside their
+// distance from the camera, because float has too few digits there.
 #include "scene.glsl"
 #include <sequence>
 #include <inputs>
@@ -16,32 +16,37 @@ uniform uint check_paths;
 uniform int check_hits;
 uniform uint seed;
 
-// The squared length of the normal that is farthest from unit length, the least and the largest albedo, and the largest ratio of coordinates to the
-// distance from the camera, at a camera ray's hit; and the objects that have them. A pixel that meets nothing reports the values of a good surface.
+// The worst values, and the objects that have them, as src/render/check.c lists them: the normal's squared length, the least and the largest albedo,
+// and the ratio of coordinates to the distance from the camera at a camera ray's hit; the least and the largest roughness, and the least index of
+// refraction. A pixel that meets nothing reports the values of a good surface.
 layout(location = 0) out vec4 check_values;
 layout(location = 1) out vec4 check_objects;
+layout(location = 2) out vec4 check_values_more;
+layout(location = 3) out vec4 check_objects_more;
 
 void check_hit(Hit reported, Material material, bool first) {
     float object = float(reported.object);
     float squared = dot(reported.normal, reported.normal);
     float low = min(material.color.x, min(material.color.y, material.color.z));
     float high = max(material.color.x, max(material.color.y, material.color.z));
-    bool emits = material_emits(material);
+    bool reflects = !material_emits(material);
     vec3 size = abs(reported.position);
     float ratio = max(max(size.x, size.y), size.z) / reported.t;
-    bool farther = max(squared, 1.0 / squared) > max(check_values.x, 1.0 / check_values.x);
-    bool lower = !emits && low < check_values.y;
-    bool higher = !emits && high > check_values.z;
-    bool smaller = first && ratio > check_values.w;
-    check_values = vec4(farther ? squared : check_values.x, lower ? low : check_values.y, higher ? high : check_values.z,
-                        smaller ? ratio : check_values.w);
-    check_objects = vec4(farther ? object : check_objects.x, lower ? object : check_objects.y, higher ? object : check_objects.z,
-                         smaller ? object : check_objects.w);
+    bvec4 worse = bvec4(max(squared, 1.0 / squared) > max(check_values.x, 1.0 / check_values.x), reflects && low < check_values.y,
+                        reflects && high > check_values.z, first && ratio > check_values.w);
+    check_values = mix(check_values, vec4(squared, low, high, ratio), worse);
+    check_objects = mix(check_objects, vec4(object), worse);
+    vec4 more = vec4(material.roughness, material.roughness, material.ior, 0.0);
+    bvec4 more_worse = bvec4(more.x < check_values_more.x, more.y > check_values_more.y, more.z < check_values_more.z, false);
+    check_values_more = mix(check_values_more, more, more_worse);
+    check_objects_more = mix(check_objects_more, vec4(object), more_worse);
 }
 
 void main() {
     check_values = vec4(1.0, 0.0, 1.0, 0.0);
     check_objects = vec4(0.0);
+    check_values_more = vec4(0.0, 1.0, 1.0, 0.0);
+    check_objects_more = vec4(0.0);
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     uint i = 0u;
     do {

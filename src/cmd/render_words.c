@@ -6,6 +6,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 static void say_why(const char *what, const MethodChoice *choice) {
     if (choice->why[0]) fprintf(stderr, "auto took %s %s: %s\n", what, choice->text, choice->why);
@@ -115,36 +116,15 @@ static void warn_promise(const RenderJob *job) {
     fprintf(stderr, "magichour: warning: an error of %s is not promised: %s\n", target, job->promise.reason);
 }
 
-/* A tenth of the default error. */
-static const double far_percent = 0.1;
-
 static void warn_check(const RenderJob *job) {
-    const Check *check = &job->check;
-    const char *path = job->scene.file->path;
-    if (check_finds_normal(check)) {
-        fprintf(stderr,
-                "magichour: warning: %s: object %d has a normal of length %.4g; it is given unit length\n",
-                path, check->normal_object, check->normal_length);
+    Text lines = {0};
+    check_print(&job->check, &lines);
+    for (const char *line = text_string(&lines); *line;) {
+        int length = (int)strcspn(line, "\n");
+        fprintf(stderr, "magichour: warning: %s: %.*s\n", job->scene.file->path, length, line);
+        line += length + 1;
     }
-    if (check_finds_albedo(check)) {
-        bool high = check->largest_albedo > 1;
-        fprintf(
-            stderr,
-            "magichour: warning: %s: object %d has an albedo of %.4g; what is below 0 or above 1 is taken "
-            "as 0 or 1\n",
-            path, high ? check->largest_object : check->least_object,
-            high ? check->largest_albedo : check->least_albedo);
-    }
-    double error_percent = check_far_error(check);
-    if (error_percent > far_percent) {
-        fprintf(
-            stderr,
-            "magichour: warning: %s: object %d is seen where its coordinates are %.3g times as large as its "
-            "distance from the camera. Float has too few digits there, which makes an error of up to %.1g "
-            "%%. "
-            "Move the scene to the origin.\n",
-            path, check->far_object, check->size_over_distance, error_percent);
-    }
+    text_free(&lines);
 }
 
 void render_warn(const RenderJob *job) {
