@@ -41,9 +41,22 @@ static void test_crater(void **state) {
     expect_row("more than 8 nodes", "off here");
     expect_row("ball (the scene's)", "   needed");
     expect_row("low-discrepancy sequence", "   needed");
+    assert_null(strstr(support_out, "compiled"));
+}
+
+/* The library's files are listed where that is asked for. */
+static void test_files(void **state) {
+    (void)state;
+    support_expect(0, "", "explain scenes/crater.glsl --size 8x8 -vv");
     expect_row("material: ", "matte mirror, not author");
     expect_row("  shape: ", "plane_minus_sphere sphere, not box");
     expect_row("  sun: ", "ask off, not chance");
+    const char *out = support_path("a.exr");
+    support_expect(0, "sky gauss:", "render scenes/crater.glsl --size 8x8 --spp 1 -v -o '%s'", out);
+    assert_null(strstr(support_err, "compiled: "));
+    support_expect(0, "sky gauss:", "render scenes/crater.glsl --size 8x8 --spp 1 -vv -o '%s'", out);
+    assert_non_null(strstr(support_err, "compiled: "));
+    assert_non_null(strstr(support_err, "plane_minus_sphere.glsl"));
 }
 
 static void test_furnace(void **state) {
@@ -202,13 +215,12 @@ static void test_library_grows(void **state) {
     assert_int_equal(system(command), 0);
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+    if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_crater),
-        cmocka_unit_test(test_orders),
-        cmocka_unit_test(test_furnace),
-        cmocka_unit_test(test_change),
-        cmocka_unit_test(test_only_what_is_used),
+        cmocka_unit_test(test_crater),        cmocka_unit_test(test_orders),
+        cmocka_unit_test(test_files),         cmocka_unit_test(test_furnace),
+        cmocka_unit_test(test_change),        cmocka_unit_test(test_only_what_is_used),
         cmocka_unit_test(test_library_grows),
     };
     return cmocka_run_group_tests_name("explain", tests, support_folder, support_clean);

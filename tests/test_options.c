@@ -164,8 +164,9 @@ static void test_options_refused(void **state) {
         {"magichour render a --set ball", "'ball' is not NAME=VALUE"},
         {"magichour render a --set =3", "not NAME=VALUE"},
         {"magichour render a --quiet=1", "--quiet takes no value"},
-        {"magichour render a --progress loud", "unknown 'loud' (known: tty, json, none)"},
+        {"magichour render a --progress loud", "unknown 'loud' (known: tty, lines, json, none)"},
         {"magichour render a --progress jsno", "unknown 'jsno': did you mean json? (known"},
+        {"magichour view a --progress tty", "unknown 'tty' (known: json, none)"},
         {"magichour render a --exposure inf", "'inf' is not a number"},
         {"magichour compare a b --max-bias x", "'x' is not a number"},
     };

@@ -119,7 +119,6 @@ static void test_options(void **state) {
         {"compare a b --quiet --json", "--quiet prints nothing, --json prints a line"},
         {"render a -o b.exr --quiet -v", "--quiet says nothing, -v says more"},
         {"render a -o b.exr --spp 3 --error 1", "--spp takes so many: one of them"},
-        {"view a --progress tty", "view has json and none"},
         {"render a -o b.exr --sun 5,90,7", "'5,90,7' is not EL or EL,AZ"},
     };
     static const char *const warned[][2] = {

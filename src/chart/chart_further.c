@@ -124,6 +124,7 @@ bool chart_further(const ChartParams *params, const SkyState *state, const float
         !sky_probe_create(&job.probe, params->context, params->picture.scene->file->sources, &sky,
                           &state->atmosphere, error))
         return false;
+    job.probe.watch = params->picture.watch;
     job.radiances = memory_get(4 * (size_t)count, sizeof *job.radiances);
     bool ok = open_ledger(&job, error);
     for (int i = 0; ok && i < METHOD_MOST_VARIANTS && !monitor_stopped(&params->monitor); i++) {

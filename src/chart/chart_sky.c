@@ -121,9 +121,11 @@ typedef struct Open {
 static bool open_method(SkyJob *job, Open *open, const char *method, Error *error) {
     MethodChoice choice;
     *open = (Open){.method = method, .best = INFINITY};
-    return method_choose(&choice, METHOD_SKY, method, error) &&
-           sky_probe_create(&open->probe, job->params->context, job->params->picture.scene->file->sources,
-                            &choice, &job->state.atmosphere, error);
+    bool ok = method_choose(&choice, METHOD_SKY, method, error) &&
+              sky_probe_create(&open->probe, job->params->context, job->params->picture.scene->file->sources,
+                               &choice, &job->state.atmosphere, error);
+    open->probe.watch = job->params->picture.watch;
+    return ok;
 }
 
 /* Times the methods in alternation, each at least once. A method that has used its share of the time is

@@ -34,6 +34,7 @@ typedef struct Job {
     bool wanted[CHARTS];
     Text identity, said;
     Gauge gauge;
+    SkyWatch watch;
 } Job;
 
 static bool unknown_chart(const char *name, size_t length, Error *error) {
@@ -96,7 +97,8 @@ static bool make_charts(Job *job, Error *error) {
                                       .width = options->width ? options->width : DEFAULT_SIDE,
                                       .height = options->height ? options->height : DEFAULT_SIDE,
                                       .max_hits = options->depth,
-                                      .error_percent = target_percent(target, TONE_AUTHOR)},
+                                      .error_percent = target_percent(target, TONE_AUTHOR),
+                                      .watch = &job->watch},
                           .folder = options->outputs[0],
                           .identity = text_string(&job->identity),
                           .target = target,
@@ -108,7 +110,8 @@ static bool make_charts(Job *job, Error *error) {
         double share = charts[i].share / whole;
         params.monitor = monitor_part(&all, done, done + share);
         params.seconds = share * seconds;
-        if (!charts[i].make(&params, error)) return false;
+        /* What is measured so far is in the CSV. */
+        if (!interrupt_forgive(charts[i].make(&params, error), error)) return false;
         done += share;
     }
     return true;
@@ -139,6 +142,7 @@ Status cmd_chart(const Options *options, Error *error) {
         text_print(&job.identity, "# magichour %s\n", MAGICHOUR_VERSION);
         identity_of_machine(&job.context, &job.identity);
         job.gauge = gauge_start(options);
+        job.watch = (SkyWatch){gauge_watch_tables, &job.gauge};
         ok = make_charts(&job, error);
         gauge_end(&job.gauge, interrupt_requested());
         if (ok) say_results(&job);

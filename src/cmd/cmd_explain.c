@@ -28,6 +28,8 @@ typedef struct Job {
     /* The target error. */
     double percent;
     Text table;
+    Gauge gauge;
+    SkyWatch watch;
 } Job;
 
 static bool prepare(Job *job, Error *error) {
@@ -43,7 +45,9 @@ static bool prepare(Job *job, Error *error) {
                                  .width = options->width ? options->width : DEFAULT_SIDE,
                                  .height = options->height ? options->height : DEFAULT_SIDE,
                                  .max_hits = options->depth,
-                                 .error_percent = job->percent};
+                                 .error_percent = job->percent,
+                                 .watch = &job->watch};
+    gauge_report(&job->gauge, 0, "the picture itself");
     return context_open(&job->context, options->backend, error) &&
            worth_begin(&job->base, &job->context, &job->params, SAMPLES, interrupt_requested, error);
 }
@@ -84,7 +88,7 @@ static void print_heading(Job *job, bool same_picture) {
                same_picture ? "saves" : "change, %", "cost, %", "once, s");
 }
 
-static bool explain(Job *job, Gauge *gauge, Error *error) {
+static bool explain(Job *job, Error *error) {
     int count;
     Term *terms = term_list(&job->params, &count);
     bool ok = true;
@@ -94,7 +98,7 @@ static bool explain(Job *job, Gauge *gauge, Error *error) {
         for (int i = 0; ok && i < count && !interrupt_requested(); i++) {
             Worth worth;
             if (terms[i].same_picture != (part == 1)) continue;
-            gauge_report(gauge, (double)done++ / count, terms[i].name);
+            gauge_report(&job->gauge, (double)++done / (count + 1), terms[i].name);
             ok = worth_of(&job->base, &terms[i], interrupt_requested, &worth, error);
             if (!ok || interrupt_requested()) continue;
             print_row(job, &terms[i], &worth);
@@ -124,20 +128,20 @@ static void print_results(const Job *job) {
 }
 
 Status cmd_explain(const Options *options, Error *error) {
-    Job job = {.options = options};
+    Job job = {.options = options, .gauge = gauge_start(options)};
+    job.watch = (SkyWatch){gauge_watch_tables, &job.gauge};
     error->status = STATUS_DONE;
     interrupt_install();
-    bool ok = prepare(&job, error);
-    if (ok) {
-        Gauge gauge = gauge_start(options);
-        ok = explain(&job, &gauge, error);
-        gauge_end(&gauge, interrupt_requested());
-        if (ok) {
-            print_compiled(&job);
-            print_results(&job);
-        }
-        worth_end(&job.base);
+    bool begun = prepare(&job, error), ok = begun && explain(&job, error);
+    gauge_end(&job.gauge, interrupt_requested());
+    /* The rows that are there are worth printing. */
+    ok = interrupt_forgive(ok, error);
+    if (begun && ok) {
+        if (options->files) print_compiled(&job);
+        print_results(&job);
     }
+    if (ok && interrupt_requested()) fputs("magichour: interrupted: the rows so far are printed\n", stderr);
+    if (begun) worth_end(&job.base);
     context_close(&job.context);
     scene_destroy(&job.scene);
     free(job.library);

@@ -66,6 +66,7 @@ static bool prepare(RenderJob *job, Error *error) {
                                  .error_percent = target_percent(options->error, tone_of(options)),
                                  .variance = job->aov_kinds & AOV_VARIANCE,
                                  .in_steps = true};
+    progress_begin(&job->progress, "compiling");
     return context_open(&job->context, options->backend, error) &&
            renderer_create(&job->renderer, &job->context, &job->params, error) &&
            prepare_tables(job, error) &&
@@ -236,9 +237,11 @@ static void release(RenderJob *job) {
 
 static bool render_scene(RenderJob *job, int argc, char **argv, Error *error) {
     double start = clock_seconds();
-    if (!prepare(job, error)) return false;
+    bool ok = prepare(job, error);
+    progress_clear(&job->progress);
+    if (!ok) return false;
     job->figures.startup_seconds = clock_seconds() - start;
-    if (job->options->verbose) render_say_choices(job);
+    if (job->options->verbose || job->options->files) render_say_choices(job);
     if (!render(job, error) || !write_outputs(job, argc, argv, error)) return false;
     if (!job->options->quiet) render_say_summary(job);
     render_warn(job);
@@ -254,6 +257,7 @@ Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
         ok = render_toy(&job, argc, argv, error);
     else
         ok = ok && render_scene(&job, argc, argv, error);
+    progress_clear(&job.progress);
     bool interrupted = job.figures.interrupted;
     bool broken = options->error.amount > 0 && !job.promise.given;
     release(&job);

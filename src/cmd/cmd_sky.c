@@ -1,6 +1,8 @@
+#include "base/clock.h"
 #include "base/vec3.h"
 #include "base/version.h"
 #include "cmd/cmd.h"
+#include "cmd/interrupt.h"
 #include "cmd/outputs.h"
 #include "cmd/setup.h"
 #include "cmd/sky_at.h"
@@ -15,6 +17,9 @@
 
 /* Samples on each side of a pixel that the disk may touch. */
 enum { DISK_SAMPLES = 16 };
+/* The directions that the probe draws at a time. */
+enum { DRAWN = 65536 };
+static const double piece_seconds = 0.3;
 
 /* Maps. Row 0 is +y, the middle column is +z, and +x is a quarter of the width from the left: the lat-long
  * layout of OpenEXR and Mitsuba. */
@@ -72,6 +77,47 @@ static bool write_map(const SkyJob *job, const Image *image, int argc, char **ar
     return ok;
 }
 
+/* How many rows to look up next, if these took so long: an interruption waits hardly longer than that. */
+static int next_rows(int rows, double seconds, int width) {
+    int most = width < DRAWN ? DRAWN / width : 1;
+    double wanted = rows * piece_seconds / fmax(seconds, 1e-6);
+    return (int)fmin(fmax(fmin(wanted, 4.0 * rows), 1), most);
+}
+
+/* Looks up the map's rows from the top. An interruption ends it after those that `done` counts. */
+static bool ask_rows(SkyJob *job, Image *image, int *done, Error *error) {
+    SkyState state = {job->scene.values.atmosphere, job->scene.values.sun};
+    int width = image->width, height = image->height, next = 1;
+    bool ok = true;
+    while (ok && *done < height && !interrupt_requested()) {
+        int rows = height - *done < next ? height - *done : next;
+        double start = clock_seconds();
+        float *first = image->rgba + 4 * (size_t)*done * (size_t)width;
+        gauge_report(&job->gauge, (double)*done / height, "map");
+        for (int i = 0; i < width * rows; i++) {
+            double direction[3];
+            map_direction(i % width + 0.5, *done + i / width + 0.5, width, height, direction);
+            for (int c = 0; c < 3; c++) first[4 * i + c] = (float)direction[c];
+        }
+        ok = sky_probe_ask(&job->probe, &state, first, (size_t)width * (size_t)rows, first, error);
+        next = next_rows(rows, clock_seconds() - start, width);
+        if (ok) *done += rows;
+        if (ok) interrupt_keep();
+    }
+    return interrupt_forgive(ok, error);
+}
+
+/* Writes a map of which only the first rows are there, and says so. */
+static bool keep_rows(const SkyJob *job, Image *image, int rows, int argc, char **argv, Error *error) {
+    size_t size = 4 * (size_t)image->width;
+    for (size_t i = (size_t)rows * size; i < (size_t)image->height * size; i++) image->rgba[i] = i % 4 == 3;
+    fprintf(
+        stderr,
+        "magichour: interrupted: the first %d of the map's %d rows are written, and the others are black\n",
+        rows, image->height);
+    return write_map(job, image, argc, argv, error);
+}
+
 static bool make_map(SkyJob *job, int argc, char **argv, Error *error) {
     const Options *options = job->options;
     int width = options->width ? options->width : 1024,
@@ -84,23 +130,24 @@ static bool make_map(SkyJob *job, int argc, char **argv, Error *error) {
     }
     job->method = job->probe.choice.text;
     Image image = image_create(width, height);
-    for (int i = 0; i < width * height; i++) {
-        double direction[3];
-        map_direction(i % width + 0.5, i / width + 0.5, width, height, direction);
-        for (int c = 0; c < 3; c++) image.rgba[4 * i + c] = (float)direction[c];
-    }
-    SkyState state = {job->scene.values.atmosphere, job->scene.values.sun};
-    bool ok =
-        sky_probe_ask(&job->probe, &state, image.rgba, (size_t)width * (size_t)height, image.rgba, error);
+    int rows = 0;
+    bool ok = ask_rows(job, &image, &rows, error);
+    gauge_end(&job->gauge, interrupt_requested());
     if (ok && disk.method->has_disk) add_disk(job, &image);
-    ok = ok && write_map(job, &image, argc, argv, error);
+    if (rows == height) {
+        ok = ok && write_map(job, &image, argc, argv, error);
+    } else if (ok) {
+        ok = keep_rows(job, &image, rows, argc, argv, error);
+    }
     image_free(&image);
     return ok;
 }
 
 Status cmd_sky(const Options *options, int argc, char **argv, Error *error) {
-    SkyJob job = {.options = options};
+    SkyJob job = {.options = options, .gauge = gauge_start(options)};
     bool ok;
+    error->status = STATUS_DONE;
+    interrupt_install();
     if (!options->at && !options->output_count) {
         error_set(error, STATUS_USAGE, "where to? (-o FILE.exr for a map, or --at FILE.csv)");
         return error->status;
@@ -119,10 +166,12 @@ Status cmd_sky(const Options *options, int argc, char **argv, Error *error) {
     }
     ok = setup_scene(options, NULL, &job.scene, error) &&
          (options->at ? sky_at(&job, error) : make_map(&job, argc, argv, error));
-    if (ok && !options->at && !options->quiet) {
+    gauge_end(&job.gauge, interrupt_requested());
+    if (ok && !options->at && !options->quiet && !interrupt_requested()) {
         printf("%s: the sky by %s, sun at %g\n", outputs_name(options->outputs[0]), job.method,
                job.scene.values.sun.elevation_deg);
     }
     sky_job_close(&job);
-    return ok ? STATUS_DONE : error->status;
+    if (!ok) return error->status;
+    return interrupt_requested() ? STATUS_INTERRUPTED : STATUS_DONE;
 }

@@ -2,7 +2,7 @@
  * Otherwise they make it stop and save, and a second one ends it at once. */
 #pragma once
 
-#include <stdbool.h>
+#include "base/error.h"
 
 void interrupt_install(void);
 
@@ -13,3 +13,7 @@ bool interrupt_requested(void);
 /* Ends the program although another thread is in the middle of something: with STATUS_INTERRUPTED if it was
  * interrupted, and else well. */
 _Noreturn void interrupt_leave(bool interrupted);
+
+/* Whether a command that has failed or not may go on to save what is there: it has not failed, or by the
+ * interruption alone, which is then no error any more. */
+bool interrupt_forgive(bool ok, Error *error);

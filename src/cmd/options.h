@@ -82,6 +82,8 @@ typedef struct Options {
     const char *orders, *further;
 
     bool quiet, verbose;
+    /* Whether the files of the shader are listed. */
+    bool files;
 
     /* For `flatten`: print every program of a picture, as text or as JSON lines. */
     bool all;

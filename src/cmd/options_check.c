@@ -10,7 +10,7 @@ bool options_check(const Options *options, Error *error) {
     Command command = options->command;
     if (options->quiet && options->json)
         return error_set(error, STATUS_USAGE, "--quiet prints nothing, --json prints a line: one of them");
-    if (options->quiet && options->verbose)
+    if (options->quiet && (options->verbose || (options->files && command == COMMAND_RENDER)))
         return error_set(error, STATUS_USAGE, "--quiet says nothing, -v says more: one of them");
     if (command == COMMAND_RENDER && options->error.amount > 0 && options->samples)
         return error_set(error, STATUS_USAGE,
@@ -18,8 +18,6 @@ bool options_check(const Options *options, Error *error) {
     if (options->has_sun && (options->when || options->where))
         return error_set(error, STATUS_USAGE,
                          "--sun says where the sun stands, and so do --when and --where: one of them");
-    if (command == COMMAND_VIEW && options->progress && strcmp(options->progress, "tty") == 0)
-        return error_set(error, STATUS_USAGE, "--progress: view has json and none, for the window shows it");
     return true;
 }
 

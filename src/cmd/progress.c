@@ -1,5 +1,6 @@
 #include "cmd/progress.h"
 
+#include "base/clock.h"
 #include "base/json.h"
 #include "cmd/terminal.h"
 
@@ -9,21 +10,47 @@
 #include <string.h>
 #include <unistd.h>
 
+/* The seconds between two reports in lines. */
+static const double line_seconds = 5;
+
 Progress progress_start(const Options *options) {
-    Progress progress = {.kind = PROGRESS_NONE, .last = -1};
-    if (options->progress) {
-        if (strcmp(options->progress, "tty") == 0) progress.kind = PROGRESS_TTY;
-        if (strcmp(options->progress, "json") == 0) progress.kind = PROGRESS_JSON;
-    } else if (!options->quiet && isatty(STDERR_FILENO)) {
-        progress.kind = PROGRESS_TTY;
+    static const struct {
+        const char *name;
+        ProgressKind kind;
+    } kinds[] = {{"tty", PROGRESS_TTY}, {"lines", PROGRESS_LINES}, {"json", PROGRESS_JSON}};
+    Progress progress = {.kind = PROGRESS_NONE, .last = -INFINITY};
+    for (size_t i = 0; options->progress && i < sizeof kinds / sizeof *kinds; i++) {
+        if (strcmp(options->progress, kinds[i].name) == 0) progress.kind = kinds[i].kind;
     }
+    if (!options->progress && !options->quiet)
+        progress.kind = isatty(STDERR_FILENO) ? PROGRESS_TTY : PROGRESS_LINES;
+    if (progress.kind == PROGRESS_LINES) progress.last = clock_seconds();
     return progress;
 }
 
-/* The line is cut to the terminal's width. Otherwise it would wrap and scroll at each report. */
-static void show_line(Progress *progress, const char *words) {
+bool progress_due(Progress *progress) {
+    double now = clock_seconds();
+    if (progress->kind == PROGRESS_NONE) return false;
+    if (now - progress->last < (progress->kind == PROGRESS_LINES ? line_seconds : 0.1)) return false;
+    progress->last = now;
+    return true;
+}
+
+/* On a terminal the line is cut to the width. Otherwise it would wrap and scroll at each report. */
+void progress_words(Progress *progress, const char *words) {
+    if (progress->kind == PROGRESS_LINES) fprintf(stderr, "magichour: %s\n", words);
+    if (progress->kind != PROGRESS_TTY) return;
     fprintf(stderr, "\r%.*s\033[K", terminal_columns(STDERR_FILENO) - 1, words);
     progress->line = true;
+}
+
+void progress_begin(Progress *progress, const char *words) {
+    if (progress->kind == PROGRESS_TTY) progress_words(progress, words);
+}
+
+void progress_clear(Progress *progress) {
+    if (progress->line) fputs("\r\033[K", stderr);
+    progress->line = false;
 }
 
 static double seconds_left(const ProgressFigures *figures) {
@@ -38,11 +65,7 @@ static double seconds_left(const ProgressFigures *figures) {
     return fmax(left, 0);
 }
 
-static void report_terminal(Progress *progress, const ProgressFigures *figures) {
-    if (figures->done) {
-        if (progress->line) fputs("\r\033[K", stderr);
-        return;
-    }
+static void report_words(Progress *progress, const ProgressFigures *figures) {
     char words[200], target[32] = "", reached[64] = "", left[32] = "";
     if (figures->target_samples) snprintf(target, sizeof target, " of %" PRIu64, figures->target_samples);
     double error = figures->error[figures->target.measure];
@@ -53,7 +76,7 @@ static void report_terminal(Progress *progress, const ProgressFigures *figures) 
         snprintf(left, sizeof left, ", %.0f s left", ceil(seconds_left(figures)));
     snprintf(words, sizeof words, "%s%.0f%s samples, %.1f Mpaths/s%s", reached, figures->samples, target,
              1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), left);
-    show_line(progress, words);
+    progress_words(progress, words);
 }
 
 static void report_errors(Json *json, const ProgressFigures *figures) {
@@ -101,27 +124,24 @@ static void report_json(const ProgressFigures *figures) {
 
 void progress_prepare(Progress *progress, double share, double seconds) {
     char words[64];
-    if (progress->kind == PROGRESS_NONE || seconds < 0.5) return;
-    if (share < 1 && seconds - progress->last < 0.1) return;
-    /* The samples begin a time of their own. */
-    progress->last = share < 1 ? seconds : -1;
-    if (share == 1) return;
-    if (progress->kind == PROGRESS_TTY) {
-        snprintf(words, sizeof words, "computing the sky, %.0f %%", floor(100 * share));
-        show_line(progress, words);
-    } else {
+    if (share == 1 || seconds < 0.5 || !progress_due(progress)) return;
+    if (progress->kind == PROGRESS_JSON) {
         Json json = json_begin();
         json_flag(&json, "done", false);
         json_number(&json, "prepared", share);
         json_seconds(&json, "seconds", seconds);
         json_end(&json, stderr);
+    } else {
+        snprintf(words, sizeof words, "computing the sky, %.0f %%", floor(100 * share));
+        progress_words(progress, words);
     }
 }
 
 void progress_report(Progress *progress, const ProgressFigures *figures) {
-    if (progress->kind == PROGRESS_NONE) return;
-    if (!figures->done && figures->seconds - progress->last < 0.1) return;
-    progress->last = figures->seconds;
-    if (progress->kind == PROGRESS_TTY) report_terminal(progress, figures);
-    if (progress->kind == PROGRESS_JSON) report_json(figures);
+    if (figures->done) progress_clear(progress);
+    if (!figures->done && !progress_due(progress)) return;
+    if (progress->kind == PROGRESS_JSON)
+        report_json(figures);
+    else if (!figures->done)
+        report_words(progress, figures);
 }

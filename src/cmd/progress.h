@@ -1,4 +1,5 @@
-/* Shows the progress of a rendering on standard error: a line on a terminal, or JSON lines. */
+/* Shows the progress of a rendering on standard error: a line on a terminal that is written over, a line
+ * every 5 seconds elsewhere, or JSON lines. */
 #pragma once
 
 #include "cmd/options.h"
@@ -7,11 +8,11 @@
 
 #include <stdint.h>
 
-typedef enum ProgressKind { PROGRESS_NONE, PROGRESS_TTY, PROGRESS_JSON } ProgressKind;
+typedef enum ProgressKind { PROGRESS_NONE, PROGRESS_TTY, PROGRESS_LINES, PROGRESS_JSON } ProgressKind;
 
 typedef struct Progress {
     ProgressKind kind;
-    /* The time of the last report, in seconds of what is reported. */
+    /* The time of the last report, in seconds of clock_seconds(). */
     double last;
     /* Whether there is an unfinished line on the terminal. */
     bool line;
@@ -48,9 +49,22 @@ typedef struct ProgressFigures {
 
 Progress progress_start(const Options *options);
 
-/* Reports, at most ten times a second, the share of the sky's tables that are ready, if they have taken half
- * a second already. */
+/* Whether it is time for a report, which then counts as made: ten times a second, or every 5 seconds in
+ * lines. */
+bool progress_due(Progress *progress);
+
+/* Shows words, cut to the terminal's width; for the kinds that show words. */
+void progress_words(Progress *progress, const char *words);
+
+/* The same, at once, and on a terminal alone: for what may take a moment or a minute. */
+void progress_begin(Progress *progress, const char *words);
+
+/* Clears the unfinished line on the terminal, if there is one. */
+void progress_clear(Progress *progress);
+
+/* Reports the share of the sky's tables that are ready, if it is time and they have taken half a second
+ * already. */
 void progress_prepare(Progress *progress, double share, double seconds);
 
-/* Reports at most ten times a second, and always when done. */
+/* Reports if it is time. When done, the line is cleared, and the last JSON line is written. */
 void progress_report(Progress *progress, const ProgressFigures *figures);

@@ -33,7 +33,7 @@ void render_say_choices(const RenderJob *job) {
         fprintf(stderr, "the sky's table: twice %dx%d directions, above the horizon and below\n",
                 table->width, table->height / 2);
     }
-    fprintf(stderr, "compiled: %s\n", text_string(&renderer->source_files));
+    if (job->options->files) fprintf(stderr, "compiled: %s\n", text_string(&renderer->source_files));
 }
 
 /* Prints the picture's error and its parts. */
@@ -74,7 +74,7 @@ void render_say_summary(const RenderJob *job) {
 static void warn_search(const RenderJob *job) {
     const FilmSearch *search = &job->search;
     const char *path = job->scene.file->path;
-    if (job->options->verbose && search->rays > 0) {
+    if ((job->options->verbose || job->options->files) && search->rays > 0) {
         fprintf(stderr, "searches: %.4g rays, %.1f steps each, %.0f cut\n", search->rays,
                 search->steps / search->rays, search->cut);
     }

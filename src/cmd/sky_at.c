@@ -2,7 +2,7 @@
 
 #include "base/file.h"
 #include "base/memory.h"
-#include "cmd/gauge.h"
+#include "cmd/interrupt.h"
 #include "cmd/outputs.h"
 #include "cmd/sky_rows.h"
 #include "cmd/wavelengths.h"
@@ -29,34 +29,47 @@ static int compare_rows(const void *left, const void *right) {
     return 0;
 }
 
-/* Shows how far the solution is for some of the columns. */
-typedef struct ReferenceGauge {
-    Gauge gauge;
+/* The part of all columns that some of them are, for the gauge. */
+typedef struct Share {
+    SkyJob *job;
     double from, to;
-} ReferenceGauge;
+} Share;
 
-static bool watch_reference(void *state, double share) {
-    ReferenceGauge *shown = state;
-    gauge_report(&shown->gauge, shown->from + share * (shown->to - shown->from),
-                 "all orders of scattering in double precision");
-    return true;
+static Share share_of(SkyJob *job, const Columns *columns, const SkyRows *rows) {
+    double all = rows->columns;
+    return (Share){job, columns->first / all, fmin((columns->first + 3) / all, 1)};
 }
 
-static void ask_reference(const SkyJob *job, const Columns *columns, const SkyRows *rows) {
-    ReferenceGauge shown = {.gauge = gauge_start(job->options),
-                            .from = columns->first / (double)rows->columns,
-                            .to = fmin((columns->first + 3) / (double)rows->columns, 1)};
-    SkyWatch watch = {watch_reference, &shown};
+static void report(const Share *share, double done, const char *words) {
+    gauge_report(&share->job->gauge, share->from + done * (share->to - share->from), words);
+}
+
+/* The solution is nine tenths of the work. */
+static bool watch_reference(void *state, double share) {
+    report(state, 0.9 * share, "all orders of scattering in double precision");
+    return !interrupt_requested();
+}
+
+/* From the first row with all its columns on, there is something to save. */
+static void keep(const SkyRows *rows, const SkyRow *row) {
+    if (row->done >= rows->columns) interrupt_keep();
+}
+
+static void ask_reference(SkyJob *job, const Columns *columns, const SkyRows *rows) {
+    Share share = share_of(job, columns, rows);
+    SkyWatch watch = {watch_reference, &share};
     SkyTruth *truth = sky_truth_create(&columns->air, &watch);
-    for (size_t i = 0; i < rows->count; i++) {
+    for (size_t i = 0; truth && i < rows->count && !interrupt_requested(); i++) {
         SkyRow *row = &rows->rows[i];
         double view[3], sun[3];
         sky_job_direction(row->view_el_deg, row->az_deg, view);
         sky_job_direction(row->sun_el_deg, 0, sun);
         sky_truth_ask(truth, row->height_m, view, sun, row->values + columns->first);
+        row->done += 3;
+        keep(rows, row);
+        report(&share, 0.9 + 0.1 * (double)i / (double)rows->count, "rows in double precision");
     }
     sky_truth_destroy(truth);
-    gauge_end(&shown.gauge, false);
 }
 
 /* Looks up rows that share an observer and a sun. */
@@ -72,6 +85,7 @@ static bool ask_group(SkyJob *job, const Columns *columns, SkyRow **rows, size_t
     bool ok = sky_probe_ask(&job->probe, &state, values, count, values, error);
     for (size_t i = 0; ok && i < count; i++) {
         for (int c = 0; c < 3; c++) rows[i]->values[columns->first + c] = (double)values[4 * i + (size_t)c];
+        rows[i]->done += 3;
     }
     free(values);
     return ok;
@@ -86,9 +100,12 @@ static bool ask_columns(SkyJob *job, const Columns *columns, const SkyRows *rows
     for (size_t i = 0; i < rows->count; i++) order[i] = &rows->rows[i];
     qsort(order, rows->count, sizeof *order, compare_rows);
     bool ok = true;
-    for (size_t begin = 0, end; ok && begin < rows->count; begin = end) {
+    Share share = share_of(job, columns, rows);
+    for (size_t begin = 0, end; ok && begin < rows->count && !interrupt_requested(); begin = end) {
+        report(&share, (double)begin / (double)rows->count, "rows");
         for (end = begin + 1; end < rows->count && compare_rows(&order[begin], &order[end]) == 0;) end++;
         ok = ask_group(job, columns, order + begin, end - begin, error);
+        keep(rows, order[begin]);
     }
     free(order);
     return ok;
@@ -120,7 +137,7 @@ static bool ask_wavelengths(SkyJob *job, const Wavelengths *list, SkyRows *rows,
     }
     channels.spectrum = SPECTRUM_RGB;
     ok = open(job, &channels, error);
-    for (int first = 0; ok && first < list->count; first += 3) {
+    for (int first = 0; ok && first < list->count && !interrupt_requested(); first += 3) {
         double nm[3];
         for (int c = 0; c < 3; c++) nm[c] = list->nm[first + c < list->count ? first + c : list->count - 1];
         Columns columns = {spectrum_air_at(atmosphere, nm), first};
@@ -152,6 +169,13 @@ bool sky_at(SkyJob *job, Error *error) {
         return false;
     if (!sky_rows_read(&rows, options->at, error)) return false;
     bool ok = options->spectrum ? ask_wavelengths(job, &list, &rows, error) : ask_colors(job, &rows, error);
+    gauge_end(&job->gauge, interrupt_requested());
+    /* The rows that are done are worth keeping. */
+    ok = interrupt_forgive(ok, error);
+    if (ok && interrupt_requested()) {
+        fprintf(stderr, "magichour: interrupted: %zu of %zu rows are computed and written\n",
+                sky_rows_done(&rows), rows.count);
+    }
     ok = ok && write_rows(target, &rows, error);
     sky_rows_free(&rows);
     return ok;

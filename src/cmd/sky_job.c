@@ -37,6 +37,8 @@ bool sky_job_open(SkyJob *job, const Atmosphere *air, double directions, Error *
         return false;
     }
     job->probe.further = further;
+    job->watch = (SkyWatch){gauge_watch_tables, &job->gauge};
+    job->probe.watch = &job->watch;
     return true;
 }
 

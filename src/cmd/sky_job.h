@@ -1,7 +1,7 @@
 /* What the parts of `sky` share: the settings, and the sky method on the GPU. */
 #pragma once
 
-#include "cmd/options.h"
+#include "cmd/gauge.h"
 #include "scene/scene.h"
 #include "sky/sky_probe.h"
 
@@ -15,6 +15,8 @@ typedef struct SkyJob {
     SkyProbe probe;
     /* The method's full name. */
     const char *method;
+    Gauge gauge;
+    SkyWatch watch;
 } SkyJob;
 
 /* Chooses the method, for so many directions of one sun, and opens the probe. The probe's programs compute

@@ -92,10 +92,17 @@ void sky_rows_add(SkyRows *rows, const char *name) {
     }
 }
 
+size_t sky_rows_done(const SkyRows *rows) {
+    size_t done = 0;
+    for (size_t i = 0; i < rows->count; i++) done += rows->rows[i].done >= rows->columns;
+    return done;
+}
+
 void sky_rows_print(const SkyRows *rows, Text *out) {
     text_print(out, "%s%s%s\n", text_string(&rows->comments), header, text_string(&rows->names));
     for (size_t i = 0; i < rows->count; i++) {
         const SkyRow *row = &rows->rows[i];
+        if (row->done < rows->columns) continue;
         for (int k = 0; k < 4; k++) text_print(out, "%s%s", k ? "," : "", row->words[k]);
         for (int k = 0; k < rows->columns; k++) text_print(out, ",%.9g", row->values[k]);
         text_print(out, "\n");

@@ -8,6 +8,8 @@ typedef struct SkyRow {
     double height_m, sun_el_deg, view_el_deg, az_deg;
     /* The answer, one value for each column. There is room for whole threes. */
     double *values;
+    /* How many of the columns are computed. */
+    int done;
     /* The numbers as they were written. */
     char words[4][32];
 } SkyRow;
@@ -31,5 +33,8 @@ void sky_rows_free(SkyRows *rows);
 /* Adds a column to the answer, with values of 0. */
 void sky_rows_add(SkyRows *rows, const char *name);
 
-/* Prints the comments, a header, and each row with its answer in full precision. */
+/* How many rows have all columns of their answer. */
+size_t sky_rows_done(const SkyRows *rows);
+
+/* Prints the comments, a header, and each row that is done with its answer in full precision. */
 void sky_rows_print(const SkyRows *rows, Text *out);

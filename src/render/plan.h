@@ -6,6 +6,7 @@
 #include "gl/context.h"
 #include "scene/glsl_source.h"
 #include "scene/scene.h"
+#include "sky/sky_orders_plan.h"
 
 #include <stdint.h>
 
@@ -28,6 +29,9 @@ typedef struct RenderParams {
     bool variance;
     /* Whether a renderer may be returned whose tables in steps are not ready, for renderer_prepare(). */
     bool in_steps;
+    /* Asked while the tables are filled, several times a second, for the share of them that is ready; NULL if
+     * nobody waits. If it stops a start that must make them ready, that fails with STATUS_INTERRUPTED. */
+    const SkyWatch *watch;
 } RenderParams;
 
 /* What the scene needs, found by scanning its flattened text. Features that it does not need are not

@@ -49,19 +49,22 @@ static void give(const Renderer *renderer, const Program *program, const Uniform
 static bool set_up(Renderer *renderer, const Frame *frame, double seconds, bool (*stop)(void), Error *error) {
     Uniforms uniforms = {0};
     frame_uniforms(frame, &renderer->plan, renderer->seed, &uniforms);
-    bool ok =
-        resources_prepare_for(&renderer->tables, frame, &uniforms, seconds, stop, &renderer->prepared, error);
-    if (ok && renderer->prepared == 1) {
-        give(renderer, &renderer->program, &uniforms);
-        give(renderer, &renderer->image.program, &uniforms);
-    }
+    double *ready = &renderer->prepared;
+    bool ok = resources_prepare_for(&renderer->tables, frame, &uniforms, seconds, stop, ready, error);
+    if (ok && *ready == 1) give(renderer, &renderer->program, &uniforms);
+    if (ok && *ready == 1) give(renderer, &renderer->image.program, &uniforms);
     uniforms_free(&uniforms);
     return ok && gl_check(renderer->gl, "setting up the pass", error);
 }
 
-/* The time for the tables in a start that need not make them ready. */
-static double start_seconds(const RenderParams *params) {
-    return params->in_steps ? 0.01 : INFINITY;
+/* The tables in a start: only begun if they need not be ready, or else filled while the watch goes on. */
+static bool start(Renderer *renderer, const Frame *frame, const RenderParams *params, Error *error) {
+    double seconds = params->in_steps ? 0.01 : params->watch ? SKY_WATCH_SECONDS : INFINITY;
+    while (set_up(renderer, frame, seconds, NULL, error)) {
+        if (!sky_watch_ask(params->watch, renderer->prepared, error)) break;
+        if (params->in_steps || renderer->prepared == 1) return true;
+    }
+    return false;
 }
 
 static void begin(Renderer *renderer, unsigned group) {
@@ -143,7 +146,7 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
     }
     renderer->sun_image = image;
     image_pass_begin(&renderer->image, &image, width, height);
-    return set_up(renderer, &frame, start_seconds(params), NULL, error) && finish(renderer, error);
+    return start(renderer, &frame, params, error) && finish(renderer, error);
 }
 
 bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
@@ -213,7 +216,7 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
     if (!create_next_film(renderer, context, &camera, &next, error) ||
         !find_image(renderer, &frame, &image, error) ||
         !image_pass_compile(&renderer->image, &image, &plan, params, error) ||
-        !set_up(renderer, &frame, start_seconds(params), NULL, error)) {
+        !start(renderer, &frame, params, error)) {
         film_destroy(&next);
         renderer->plan = before;
         renderer->seed = seed;

@@ -1,7 +1,7 @@
 /* How finely the CPU computes the further orders of scattering (sky/sky_orders.h), and who watches it. */
 #pragma once
 
-#include <stdbool.h>
+#include "base/error.h"
 
 enum { SKY_ORDERS_MOST = 12 };
 
@@ -29,8 +29,17 @@ typedef struct SkyOrdersPlan {
     SkyOrderPlan order[SKY_ORDERS_MOST];
 } SkyOrdersPlan;
 
-/* Watches the solution: go_on() gets the share that is done, and returns false to stop. */
+/* Watches a long computation: go_on() gets the share that is done, and returns false to stop. */
 typedef struct SkyWatch {
     bool (*go_on)(void *state, double share);
     void *state;
 } SkyWatch;
+
+/* How often the filling of tables asks its watch. */
+#define SKY_WATCH_SECONDS 0.2
+
+/* Fails with STATUS_INTERRUPTED if there is a watch that stops the work. */
+MUST_CHECK static inline bool sky_watch_ask(const SkyWatch *watch, double share, Error *error) {
+    if (!watch || watch->go_on(watch->state, share)) return true;
+    return error_set(error, STATUS_INTERRUPTED, "interrupted while tables were filled");
+}

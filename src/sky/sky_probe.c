@@ -67,12 +67,25 @@ void sky_probe_destroy(SkyProbe *probe) {
     *probe = (SkyProbe){0};
 }
 
+/* Fills the tables that are out of date. `uniforms`, which is empty, gets those of the frame and of the
+ * tables. */
+static bool fill(SkyProbe *probe, const Frame *frame, Uniforms *uniforms, Error *error) {
+    double share = 0, seconds = probe->watch ? SKY_WATCH_SECONDS : INFINITY;
+    do {
+        uniforms_free(uniforms);
+        sky_uniforms(frame, uniforms);
+        if (!resources_prepare_for(&probe->tables, frame, uniforms, seconds, NULL, &share, error) ||
+            !sky_watch_ask(probe->watch, share, error))
+            return false;
+    } while (share < 1);
+    return true;
+}
+
 /* Makes the sky's tables ready for this state and the probe's program the one in use. */
 static bool use(SkyProbe *probe, const SkyState *state, Error *error) {
     Frame frame = {.state = *state, .sky = &probe->choice, .further = &probe->further};
     Uniforms uniforms = {0};
-    sky_uniforms(&frame, &uniforms);
-    bool ok = resources_prepare(&probe->tables, &frame, &uniforms, error);
+    bool ok = fill(probe, &frame, &uniforms, error);
     if (ok) {
         program_use(&probe->program);
         program_set(&probe->program, &uniforms);

@@ -2,12 +2,16 @@
 #pragma once
 
 #include "sky/sky.h"
+#include "sky/sky_orders_plan.h"
 
 typedef struct SkyProbe {
     const GlApi *gl;
     MethodChoice choice;
     /* How the further orders are computed. The default may be changed between calls. */
     MethodChoice further;
+    /* Asked while the tables are filled, several times a second, for the share of them that is ready; NULL if
+     * nobody waits. If it stops that, the call fails with STATUS_INTERRUPTED. */
+    const SkyWatch *watch;
     Resources tables;
     Program program;
     /* The textures of the directions and of the radiances. */
