@@ -314,9 +314,10 @@ static void test_interrupted(void **state) {
     char command[2048];
     snprintf(
         command, sizeof command,
-        "timeout --preserve-status -s INT 2 '%s' chart scenes/crater.glsl -o '%s' --size 16x16 --time 40 "
-        "--charts scale >/dev/null 2>'%s'; exit $?",
-        program ? program : "build/magichour", folder, support_path("interrupted"));
+        "'%s' chart scenes/crater.glsl -o '%s' --size 16x16 --time 40 --charts scale --progress json "
+        ">/dev/null 2>'%s' & until [ -s '%s' ]; do sleep 0.05; done; sleep 1; kill -INT $!; wait $!; exit $?",
+        program ? program : "build/magichour", folder, support_path("interrupted"),
+        support_path("interrupted"));
     assert_int_equal(WEXITSTATUS(system(command)), 130);
     Text said = {0};
     read_text(support_path("interrupted"), &said);

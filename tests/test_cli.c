@@ -240,6 +240,24 @@ static void test_clashes(void **state) {
     assert_null(strstr(support_err, "another name"));
 }
 
+/* A scene's variable that is read before it is set: what the compiler says is passed on. */
+static void test_unset(void **state) {
+    (void)state;
+    const char *path =
+        support_write("unset.glsl", CLASH_TOP
+                      "float f() {\n    float unset;\n    float set = 2.0 * unset;\n    return set;\n}\n"
+                      "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
+                      "    hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit);\n}\n"
+                      "Material scene_material(Hit hit) { return matte(vec3(f())); }\n");
+    support_expect(0, "", "info");
+    bool mesa = strstr(support_out, "llvmpipe") != NULL;
+    assert_int_equal(support_run("MESA_SHADER_CACHE_DISABLE=true", "render '%s' " TINY " -o '%s'", path,
+                                 support_path("out.exr")),
+                     0);
+    if (mesa && (!strstr(support_err, "unset.glsl:6: ") || !strstr(support_err, "uninitialized")))
+        fail_msg("%s", support_err);
+}
+
 static void test_progress(void **state) {
     (void)state;
     static const char *const keys[] = {"\"samples\": 32",       "\"paths\": 8192",   "\"seconds\": ",
@@ -262,11 +280,11 @@ static void test_interrupt(void **state) {
     const char *program = getenv("MAGICHOUR");
     const char *out = support_path("interrupted.exr");
     char command[2048];
+    /* It is interrupted when it has samples. */
     snprintf(command, sizeof command,
-             "timeout --preserve-status -s INT 2 '%s' render scenes/crater.glsl --size 256x256 --spp "
-             "4000000000 --quiet "
-             "-o '%s'; exit $?",
-             program ? program : "build/magichour", out);
+             "'%s' render scenes/crater.glsl --size 256x256 --spp 4000000000 --quiet --progress json -o '%s' "
+             "2>'%s' & until grep -qs '\"samples\"' '%s'; do sleep 0.05; done; kill -INT $!; wait $!; exit $?",
+             program ? program : "build/magichour", out, support_path("progress"), support_path("progress"));
     int status = system(command);
     assert_int_equal(WEXITSTATUS(status), 130);
     support_expect(0, "", "compare '%s' '%s'", out, out);
@@ -590,6 +608,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_no_gl),
         cmocka_unit_test(test_progress),
         cmocka_unit_test(test_clashes),
+        cmocka_unit_test(test_unset),
         cmocka_unit_test(test_interrupt),
         cmocka_unit_test(test_auto),
         cmocka_unit_test(test_by_chance),

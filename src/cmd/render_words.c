@@ -128,6 +128,7 @@ static void warn_check(const RenderJob *job) {
 }
 
 void render_warn(const RenderJob *job) {
+    program_say_warnings(&job->renderer.program, stderr);
     if (job->options->further && !(job->scene.values.atmosphere.orders > 1))
         fprintf(stderr,
                 "magichour: warning: --further has no effect: the air has the first order alone (--orders "

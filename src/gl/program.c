@@ -1,6 +1,7 @@
 #include "gl/program.h"
 #include "scene/glsl_log.h"
 
+#include "base/lines.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "gl/program_table.h"
@@ -48,8 +49,8 @@ static GLuint compile(const GlApi *gl, GLenum stage, const char *source, Text *l
     gl->ShaderSource(shader, 1, &source, NULL);
     gl->CompileShader(shader);
     gl->GetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-    if (ok) return shader;
     append_log(gl->GetShaderiv, gl->GetShaderInfoLog, shader, log);
+    if (ok) return shader;
     gl->DeleteShader(shader);
     return 0;
 }
@@ -82,6 +83,7 @@ static bool create(Program *program, const GlApi *gl, const char *vertex, const 
     if (fragment_shader) gl->DeleteShader(fragment_shader);
     if (linked) {
         gl->UseProgram(program->id);
+        glsl_source_warnings(fragment, text_string(&log), &program->warnings);
         program->table = program_table_create(gl, program->id, fragment);
     } else {
         glsl_source_explain(fragment, text_string(&log), error);
@@ -102,7 +104,14 @@ bool program_create_points(Program *program, const GlApi *gl, const GlslSource *
 void program_destroy(Program *program) {
     if (program->id) program->gl->DeleteProgram(program->id);
     program_table_destroy(program->table);
+    text_free(&program->warnings);
     *program = (Program){0};
+}
+
+void program_say_warnings(const Program *program, FILE *out) {
+    Lines lines = lines_of(text_string(&program->warnings));
+    for (const char *line; (line = lines_next(&lines));) fprintf(out, "magichour: warning: %s\n", line);
+    lines_free(&lines);
 }
 
 void program_use(const Program *program) {

@@ -7,9 +7,14 @@
 #include "gl/uniforms.h"
 #include "scene/glsl_source.h"
 
+#include <stdio.h>
+
 typedef struct Program {
     const GlApi *gl;
     GLuint id;
+    /* What the driver says of variables that are read before they are set, a line each with its place; owned.
+     */
+    Text warnings;
     /* The uniforms that its text declares and those that were set. */
     struct ProgramTable *table;
 } Program;
@@ -25,6 +30,9 @@ void program_destroy(Program *program);
  * light as `flat in vec4 splat_light`: see glsl/pass/splat.glsl. */
 MUST_CHECK bool program_create_points(Program *program, const GlApi *gl, const GlslSource *fragment,
                                       Error *error);
+
+/* Prints its warnings. */
+void program_say_warnings(const Program *program, FILE *out);
 
 /* Makes this the program in use. */
 void program_use(const Program *program);

@@ -1,5 +1,6 @@
 #include "scene/glsl_log.h"
 
+#include "base/lines.h"
 #include "scene/glsl_clash.h"
 
 #include <stdio.h>
@@ -82,4 +83,17 @@ void glsl_source_explain(const GlslSource *source, const char *log, Error *error
     }
     text_free(&explained);
     text_free(&rest);
+}
+
+void glsl_source_warnings(const GlslSource *source, const char *log, Text *warnings) {
+    Lines lines = lines_of(log);
+    for (const char *line; (line = lines_next(&lines));) {
+        int file, number;
+        const char *words;
+        if (!strstr(line, "nitialized") || !parse_log_line(line, &number, &words)) continue;
+        if (strncmp(words, "warning: ", 9) == 0) words += 9;
+        if (glsl_source_place(source, number, &file, &number))
+            text_print(warnings, "%s:%d: %s\n", source->files[file], number, words);
+    }
+    lines_free(&lines);
 }

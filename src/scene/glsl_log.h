@@ -11,6 +11,10 @@ char *glsl_source_plain(const GlslSource *source);
  * file's. */
 bool glsl_source_place(const GlslSource *source, int line, int *file, int *number);
 
+/* Appends to `warnings` what a driver's log on the plain text says of variables that are read before they are
+ * set, a line each: "scenes/a.glsl:14: words". */
+void glsl_source_warnings(const GlslSource *source, const char *log, Text *warnings);
+
 /* Turns a driver's log on the plain text into an error: each "0:514(3): error: words" becomes
  * "scenes/a.glsl:14: words". */
 void glsl_source_explain(const GlslSource *source, const char *log, Error *error);

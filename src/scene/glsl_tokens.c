@@ -155,3 +155,20 @@ int glsl_token_line(const GlslTokens *tokens, int i) {
     }
     return line;
 }
+
+static bool same(const GlslTokens *tokens, int i, int other) {
+    const GlslToken *a = &tokens->list[i], *b = &tokens->list[other];
+    return a->size == b->size && memcmp(tokens->text + a->at, tokens->text + b->at, a->size) == 0;
+}
+
+bool glsl_token_is_member(const GlslTokens *tokens, int word) {
+    for (int i = 0; i < tokens->count; i++) {
+        int open = i + (glsl_token_is(tokens, i + 1, "{") ? 1 : 2);
+        if (!glsl_token_is(tokens, i, "struct") || !glsl_token_is(tokens, open, "{")) continue;
+        int end = glsl_token_skip(tokens, open);
+        for (int k = open; k < end; k++) {
+            if (same(tokens, k, word)) return true;
+        }
+    }
+    return false;
+}

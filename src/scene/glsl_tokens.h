@@ -46,3 +46,6 @@ int glsl_token_find(const GlslTokens *tokens, int i, const char *sign);
 
 /* The line of its file on which the token stands. */
 int glsl_token_line(const GlslTokens *tokens, int i);
+
+/* Whether the word of that token stands anywhere among the members of a structure. */
+bool glsl_token_is_member(const GlslTokens *tokens, int word);

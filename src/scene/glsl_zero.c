@@ -210,7 +210,7 @@ static void read_macro(Zero *zero, int i) {
     const GlslTokens *tokens = &zero->tokens;
     int name = next(zero, i), body = name < tokens->count ? next(zero, name) : name;
     Depth outside = zero->depth;
-    if (body == tokens->count) return;
+    if (body == tokens->count || glsl_token_is_member(&zero->tokens, name)) return;
     bool takes = is(zero, body, "(") && tokens->list[body].at == behind(zero, name);
     if (takes) body = glsl_token_skip(tokens, body);
     if (body == tokens->count) return;

@@ -142,6 +142,12 @@ static bool read_declaration(ToyInterface *interface, const Declaration *declara
         read_output(interface, declaration);
         return true;
     }
+    /* Such as `layout(origin_upper_left) in vec4 gl_FragCoord;`. */
+    bool built_in = strncmp(word_at(interface, declaration->name), "gl_", 3) == 0;
+    if (declaration->kind >= 0 && built_in) {
+        take_all(interface, declaration->start, declaration->end);
+        return true;
+    }
     if (declaration->kind >= 0) {
         return refuse(
             interface, declaration->name,

@@ -63,8 +63,30 @@ static void put_call(const GlslTokens *tokens, const ToyInterface *interface, Te
     }
 }
 
+/* Joins lines that a backslash continues, which GLSL 3.30 has not. The lines' ends stand behind the last of
+ * them, so that no other line changes its number. */
+static void join_lines(GlslSource *source) {
+    Text joined = {0};
+    int owed = 0;
+    for (const char *at = text_string(&source->text); *at;) {
+        size_t end = at[0] == '\\' ? 1 + (at[1] == '\r') : 0;
+        if (end && at[end] == '\n') {
+            text_append(&joined, " ", 1);
+            owed++;
+            at += end + 1;
+            continue;
+        }
+        text_append(&joined, at, 1);
+        for (; *at == '\n' && owed; owed--) text_append(&joined, "\n", 1);
+        at++;
+    }
+    text_free(&source->text);
+    source->text = joined;
+}
+
 static bool rewrite(GlslSource *source, Text *notes, const ToyParams *params, Error *error) {
     const char *library = params->file->sources->folder;
+    join_lines(source);
     GlslTokens tokens = glsl_tokens(text_string(&source->text));
     TextEdits edits = {0};
     ToyInterface interface = {.file = params->file, .source = source, .tokens = &tokens, .edits = &edits};

@@ -59,6 +59,16 @@ bool task_find_figures(void *data, Error *error) {
     return picture_figures(&view->picture, &view->state, &view->figures, error);
 }
 
+/* Once for each program of a scene. */
+static void say_warnings(View *view) {
+    const Program *program = &view->picture.panes[0].renderer.program;
+    if (!program->id || program->id == view->warned) return;
+    view->warned = program->id;
+    if (!program->warnings.size) return;
+    program_say_warnings(program, stderr);
+    view_notice(&view->state, "%s", text_string(&program->warnings));
+}
+
 bool task_draw(void *data, Error *error) {
     View *view = data;
     ViewState *state = &view->state;
@@ -68,6 +78,7 @@ bool task_draw(void *data, Error *error) {
     if (refusal.status != STATUS_DONE) say_refusal(state, &refusal);
     if (!picture_draw(&view->picture, state, &drew, error)) return false;
     view->news |= drew;
+    say_warnings(view);
     if (!play_say(&view->notes, &view->picture.toy, state, error)) return false;
     /* The last figures are to be shown too. */
     if (drew && picture_rests(&view->picture, state)) view->linger = 2;

@@ -19,6 +19,8 @@ typedef struct View {
     Picture picture;
     Meter meter;
     PlayNotes notes;
+    /* The scene's program whose warnings were said. */
+    GLuint warned;
     Watch watch;
     Controls controls;
     SceneMenu menu;
