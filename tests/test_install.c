@@ -98,6 +98,8 @@ static void test_install(void **state) {
     expect("cd \"$root/opt/a b/share\" && test -s man/man1/magichour.1 && "
            "bash -n bash-completion/completions/magichour && test -s zsh/site-functions/_magichour && "
            "test -s fish/vendor_completions.d/magichour.fish && test -s doc/magichour/LICENSE && "
+           "test -s bash-completion/completions/magichour && test -s zsh/site-functions/_magichour && "
+           "test -s fish/vendor_completions.d/magichour.fish && "
            "test ! -e magichour/scenes/gallery");
     make("uninstall");
     expect_nothing_left();
