@@ -18,7 +18,7 @@ case $action in check | store) shift ;; *) sed -n '2s/^# //p' "$0" >&2; exit 2 ;
 
 status=0
 # The first failure that is more than a difference is the whole's.
-fail() { if [ $status = 0 ] || [ $status = 6 ]; then status=$1; fi; }
+fail() { if [ "$status" = 0 ] || [ "$status" = 6 ]; then status=$1; fi; }
 
 check() {
     name=$1 bound=$2
@@ -55,7 +55,7 @@ while read -r name bound arguments; do
     rendered=0
     # shellcheck disable=SC2086
     "$program" render $arguments "$@" -o "$folder/$name.exr" --quiet </dev/null || rendered=$?
-    if [ $rendered != 0 ]; then
+    if [ "$rendered" != 0 ]; then
         echo "$name: NOT RENDERED: exit status $rendered"
         fail $rendered
     elif [ "$action" = store ]; then
@@ -64,4 +64,4 @@ while read -r name bound arguments; do
         check "$name" "$bound"
     fi
 done <pictures.txt
-exit $status
+exit "$status"

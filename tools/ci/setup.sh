@@ -7,6 +7,6 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 tar -xzf "$archive" -C "$work" --strip-components=1
 cd "$work"
-tools/deps.sh build
+tools/deps.sh build almanac
 make -j"$(nproc)" WINDOW=0 CHART=0 all
 make WINDOW=0 CHART=0 install
