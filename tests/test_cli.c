@@ -281,10 +281,11 @@ static void test_interrupt(void **state) {
     const char *out = support_path("interrupted.exr");
     char command[2048];
     /* It is interrupted when it has samples. */
-    snprintf(command, sizeof command,
-             "'%s' render scenes/crater.glsl --size 256x256 --spp 4000000000 --quiet --progress json -o '%s' "
-             "2>'%s' & until grep -qs '\"samples\"' '%s'; do sleep 0.05; done; kill -INT $!; wait $!; exit $?",
-             program ? program : "build/magichour", out, support_path("progress"), support_path("progress"));
+    snprintf(
+        command, sizeof command,
+        "'%s' render scenes/crater.glsl --size 256x256 --spp 4000000000 --quiet --progress json -o '%s' "
+        "2>'%s' & until grep -qs '\"samples\"' '%s'; do sleep 0.05; done; kill -INT $!; wait $!; exit $?",
+        program ? program : "build/magichour", out, support_path("progress"), support_path("progress"));
     int status = system(command);
     assert_int_equal(WEXITSTATUS(status), 130);
     support_expect(0, "", "compare '%s' '%s'", out, out);

@@ -1,6 +1,8 @@
 /* What `info SCENE` says: all that a scene's annotations set. */
 #include "support.h"
 
+#include "scene/atmosphere.h"
+
 #include <string.h>
 
 static const char *const scene_text = "//@ title Hints\n"
@@ -50,7 +52,39 @@ static void test_scene(void **state) {
     assert_null(strstr(support_out, "\n  bound"));
 }
 
+static int count_lines(const char *words) {
+    int count = 0;
+    for (const char *at = support_out; (at = strstr(at, words)); at++) count++;
+    return count;
+}
+
+/* Of the atmosphere, its preset and what differs from it; all settings where that is asked for. */
+static void test_atmosphere(void **state) {
+    (void)state;
+    const char *plain = support_write("plain.glsl", "//@ title Plain\n"),
+               *earth =
+                   support_write("earth.glsl", "//@ atmosphere earth\n//@ preset haze atmosphere.mie 4\n");
+    support_expect(0, "", "info '%s'", plain);
+    assert_non_null(strstr(support_out, "\n  atmosphere simmons2017 (-v lists its settings)\n"));
+    assert_non_null(strstr(support_out, "\n  camera eye 0,2,-4 target 0,0,0 fov 90\n"));
+    assert_int_equal(count_lines("  atmosphere."), 0);
+    support_expect(0, "", "info '%s' --set atmosphere.mie_g=0.5", earth);
+    assert_non_null(
+        strstr(support_out, "\n  atmosphere earth, except for (-v lists all):\n  atmosphere.mie_g = 0.5  ("));
+    assert_int_equal(count_lines("  atmosphere."), 1);
+    support_expect(0, "", "info '%s' --preset haze", earth);
+    assert_non_null(strstr(support_out, "\n  atmosphere.mie = 4  ("));
+    support_expect(0, "", "info '%s' --atmosphere earth", plain);
+    assert_non_null(strstr(support_out, "\n  atmosphere earth (-v lists its settings)\n"));
+    support_expect(0, "", "info '%s' -v", earth);
+    assert_non_null(strstr(support_out, "\n  atmosphere earth, with all its settings:\n"));
+    int fields = 0;
+    while (atmosphere_field(fields)) fields++;
+    assert_int_equal(count_lines("  atmosphere."), fields);
+    support_expect(2, "no preset 'haze'", "info --preset haze");
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_scene)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_scene), cmocka_unit_test(test_atmosphere)};
     return cmocka_run_group_tests_name("info", tests, support_folder, support_clean);
 }

@@ -41,9 +41,11 @@ static void print_values(const double *values, int count) {
     for (int i = 0; i < count; i++) printf("%s%.9g", i ? "," : "", values[i]);
 }
 
-static void print_atmosphere(const Atmosphere *atmosphere) {
+/* Prints all fields, or those alone in which the atmosphere is not like another. */
+static void print_atmosphere(const Atmosphere *atmosphere, const Atmosphere *unlike) {
     for (int i = 0; atmosphere_field(i); i++) {
         const AtmosphereField *field = atmosphere_field(i);
+        if (unlike && atmosphere_same(atmosphere, unlike, field)) continue;
         Text value = {0}, range = {0};
         atmosphere_print_value(atmosphere, field, &value);
         atmosphere_print_range(field, &range);
@@ -93,7 +95,40 @@ static void print_hints(const Scene *scene) {
     printf("\n");
 }
 
-static void print_scene(const Scene *scene) {
+/* The preset from which the atmosphere differs in the fewest fields. */
+static const AtmospherePreset *nearest_preset(const Atmosphere *atmosphere, int *differing) {
+    const AtmospherePreset *nearest = NULL;
+    *differing = 0;
+    for (int i = 0; atmosphere_preset(i); i++) {
+        int count = 0;
+        for (int k = 0; atmosphere_field(k); k++)
+            count += !atmosphere_same(atmosphere, &atmosphere_preset(i)->atmosphere, atmosphere_field(k));
+        if (nearest && count >= *differing) continue;
+        nearest = atmosphere_preset(i);
+        *differing = count;
+    }
+    return nearest;
+}
+
+static void print_air(const Atmosphere *atmosphere, bool whole) {
+    int differing;
+    const AtmospherePreset *preset = nearest_preset(atmosphere, &differing);
+    printf("  atmosphere %s%s\n", preset->name,
+           whole       ? ", with all its settings:"
+           : differing ? ", except for (-v lists all):"
+                       : " (-v lists its settings)");
+    print_atmosphere(atmosphere, whole ? NULL : &preset->atmosphere);
+}
+
+static void print_camera(const Viewpoint *camera) {
+    printf("  camera eye ");
+    print_values(camera->eye, 3);
+    printf(" target ");
+    print_values(camera->target, 3);
+    printf(" fov %g\n", camera->fov_deg);
+}
+
+static void print_scene(const Scene *scene, bool whole) {
     printf("%s: %s\n", scene->file->path, scene->file->title[0] ? scene->file->title : "untitled");
     if (scene->file->look[0]) printf("  look for: %s\n", scene->file->look);
     printf("  size %dx%d, sun elevation %g azimuth %g, exposure %g EV%s%s\n", scene->file->width,
@@ -101,6 +136,7 @@ static void print_scene(const Scene *scene) {
            scene->values.exposure_ev, scene->file->sky[0] ? ", sky " : "", scene->file->sky);
     printf("  sun-disk %s, radius %g degrees\n", scene->values.sun_disk ? "on" : "off",
            scene->values.sun.radius_deg);
+    print_camera(&scene->values.camera);
     print_hints(scene);
     for (int i = 0; i < scene->file->parameter_count; i++) {
         const Parameter *p = &scene->file->parameters[i];
@@ -117,7 +153,7 @@ static void print_scene(const Scene *scene) {
         }
         printf("\n");
     }
-    print_atmosphere(&scene->values.atmosphere);
+    print_air(&scene->values.atmosphere, whole);
 }
 
 static bool print_backends(const Options *options, Error *error) {
@@ -136,7 +172,7 @@ static bool info_scene(const Options *options, Error *error) {
     char *library = NULL;
     Scene scene = {0};
     bool ok = setup_library(options, &library, error) && setup_scene(options, library, &scene, error);
-    if (ok) print_scene(&scene);
+    if (ok) print_scene(&scene, options->verbose);
     if (ok && sun_clock_runs(&scene.values.clock)) info_print_sun(&scene.values.clock);
     scene_destroy(&scene);
     free(library);
@@ -179,7 +215,7 @@ static bool info_program(const Options *options, Error *error) {
             printf("  %-20s %s\n", atmosphere_preset(i)->name, atmosphere_preset(i)->source);
         printf("settings of the atmosphere, values of %s\n",
                options->atmosphere ? options->atmosphere : atmosphere_preset(0)->name);
-        print_atmosphere(&scene.values.atmosphere);
+        print_atmosphere(&scene.values.atmosphere, NULL);
     }
     scene_destroy(&scene);
     return ok;

@@ -125,11 +125,12 @@ const OptionRow option_table[] = {
      "by "
      "default",
      NULL},
-    {GROUP_SKY, "--atmosphere", "NAME", R | V | S | F | H | E, STRING(atmosphere),
+    {GROUP_SKY, "--atmosphere", "NAME", R | V | S | F | H | E | I, STRING(atmosphere),
      "a preset of the atmosphere (see info)", NULL},
     {GROUP_SKY, "--orders", "N", R | V | S | F | H | E, STRING(orders),
      "light that was scattered N times at most is seen, or `all`; short for --set atmosphere.orders=N", NULL},
-    {GROUP_SKY, "--preset", "NAME", R | V | F | H | E, STRING(preset), "one of the scene's presets", NULL},
+    {GROUP_SKY, "--preset", "NAME", R | V | F | H | E | I, STRING(preset), "one of the scene's presets",
+     NULL},
     {GROUP_SKY, "--set", "NAME=VALUE", R | V | S | F | I | H | E, TAKE(take_setting),
      "a scene's parameter, sun.elevation, atmosphere.mie_g, ...; may be repeated", NULL},
 
@@ -182,6 +183,7 @@ const OptionRow option_table[] = {
     {GROUP_OTHER, "--quiet", NULL, C, FLAG(quiet), "print nothing: only the exit status", NULL},
     {GROUP_OTHER, "--quiet", NULL, R | S | H | E, FLAG(quiet), "no summary, no progress", NULL},
     {GROUP_OTHER, "-v", NULL, R, FLAG(verbose), "say what is chosen and why", NULL},
+    {GROUP_OTHER, "-v", NULL, I, FLAG(verbose), "list all settings of the scene's atmosphere", NULL},
     {GROUP_OTHER, "-vv", NULL, R, FLAG(files), "the same, and the files that are compiled", NULL},
     {GROUP_OTHER, "-vv", NULL, E, FLAG(files), "list the library's files that are compiled, and that are not",
      NULL},

@@ -82,6 +82,11 @@ const double *atmosphere_value(const Atmosphere *atmosphere, const AtmosphereFie
     return (const double *)(const void *)((const char *)atmosphere + field->offset);
 }
 
+bool atmosphere_same(const Atmosphere *a, const Atmosphere *b, const AtmosphereField *field) {
+    return memcmp(atmosphere_value(a, field), atmosphere_value(b, field),
+                  (size_t)field->count * sizeof(double)) == 0;
+}
+
 void atmosphere_print_value(const Atmosphere *atmosphere, const AtmosphereField *field, Text *out) {
     const double *value = atmosphere_value(atmosphere, field);
     for (int i = 0; i < ATMOSPHERE_WORDS && field->words[i].word; i++) {

@@ -76,6 +76,9 @@ const AtmospherePreset *atmosphere_preset(int index);
 const AtmosphereField *atmosphere_field(int index);
 const double *atmosphere_value(const Atmosphere *atmosphere, const AtmosphereField *field);
 
+/* Whether two atmospheres have the same value of a field. */
+bool atmosphere_same(const Atmosphere *a, const Atmosphere *b, const AtmosphereField *field);
+
 /* Appends the value as it is set ("5.8e-06,1.35e-05,3.31e-05", "all"), and what may be set ("1 to 1000, or
  * all"). */
 void atmosphere_print_value(const Atmosphere *atmosphere, const AtmosphereField *field, Text *out);
