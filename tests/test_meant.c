@@ -61,6 +61,9 @@ static void test_scene(void **state) {
         {"//@ camera eie 0 1 2\n", "did you mean eye?"},
         {"//@ atmosphere erth\n", "near.glsl:1: unknown atmosphere 'erth': did you mean earth?"},
         {"uniform float a; //@ slider 1 min 0 mxa 2\n", "slider: unknown key 'mxa': did you mean max?"},
+        {"#include \"shape/spehre.glsl\"\n", "near.glsl:1: no file 'shape/spehre.glsl'"},
+        {"#include \"shape/spehre.glsl\"\n", ": did you mean shape/sphere.glsl?"},
+        {"#include \"material/mat.glsl\"\n", ": did you mean material/matte.glsl?"},
         {"uniform float size_m; //@ slider 1\n//@ preset low size_n 0.5\n", "near.glsl:2: "},
         {"uniform float size_m; //@ slider 1\n//@ preset low size_n 0.5\n", "did you mean size_m?"},
     };

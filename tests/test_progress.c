@@ -24,11 +24,11 @@ static char *said(const char *name) {
     return text.data;
 }
 
-static pid_t start(const char *arguments) {
+static pid_t start_on(const char *arguments, const char *err) {
     char line[1024];
     const char *program = getenv("MAGICHOUR");
     snprintf(line, sizeof line, "exec '%s' %s >'%s' 2>'%s'", program ? program : "build/magichour", arguments,
-             support_path("out"), support_path("err"));
+             support_path("out"), err);
     pid_t child = fork();
     if (child == 0) {
         execl("/bin/sh", "sh", "-c", line, (char *)NULL);
@@ -36,6 +36,10 @@ static pid_t start(const char *arguments) {
     }
     assert_true(child > 0);
     return child;
+}
+
+static pid_t start(const char *arguments) {
+    return start_on(arguments, support_path("err"));
 }
 
 /* Waits until the program has said the words on standard error. */
@@ -220,6 +224,24 @@ static void test_terminal(void **state) {
     }
 }
 
+/* A program that ends at once leaves no unfinished line in front of the shell's prompt. */
+static void test_interrupted_line(void **state) {
+    (void)state;
+    static char text[16384];
+    Terminal terminal;
+    int status;
+    need_gl();
+    terminal_open(&terminal, 100);
+    pid_t child = start_on("sky --atmosphere earth -o /dev/null", terminal.name);
+    if (!terminal_await(&terminal, "tables", 60, text, sizeof text)) fail_msg("%s", text);
+    kill(child, SIGINT);
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 130);
+    size_t length = terminal_read(&terminal, text, sizeof text);
+    assert_true(length >= 4 && strcmp(text + length - 4, "\r\033[K") == 0);
+    terminal_close(&terminal);
+}
+
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
@@ -228,6 +250,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_interrupted_measurements),
         cmocka_unit_test(test_lines),
         cmocka_unit_test(test_terminal),
+        cmocka_unit_test(test_interrupted_line),
     };
     return cmocka_run_group_tests_name("progress", tests, support_folder, support_clean);
 }

@@ -8,14 +8,19 @@
 #include <stdio.h>
 #include <unistd.h>
 
-static volatile sig_atomic_t requested, keeps;
+static volatile sig_atomic_t requested, keeps, line;
 static double first_seconds;
+static const char clear_line[] = "\r\033[K";
 
 /* A second signal takes its default course, but not one that comes at once: `timeout` sends its signal both
  * to the program and to its group. */
 static void handle(int signal_number) {
     double now = clock_seconds();
-    if (!keeps) _exit(STATUS_INTERRUPTED);
+    if (!keeps) {
+        /* The shell's prompt would follow the unfinished line. */
+        if (line && write(STDERR_FILENO, clear_line, sizeof clear_line - 1) < 0) _exit(STATUS_INTERRUPTED);
+        _exit(STATUS_INTERRUPTED);
+    }
     if (requested && now > first_seconds + 0.3) {
         signal(signal_number, SIG_DFL);
         raise(signal_number);
@@ -34,6 +39,10 @@ void interrupt_install(void) {
 
 void interrupt_keep(void) {
     keeps = 1;
+}
+
+void interrupt_line(bool open) {
+    line = open;
 }
 
 bool interrupt_requested(void) {

@@ -10,6 +10,10 @@ void interrupt_install(void);
 void interrupt_keep(void);
 bool interrupt_requested(void);
 
+/* Tells whether there is an unfinished line on the terminal, which is then cleared when the program ends at
+ * once. */
+void interrupt_line(bool open);
+
 /* Ends the program although another thread is in the middle of something: with STATUS_INTERRUPTED if it was
  * interrupted, and else well. */
 _Noreturn void interrupt_leave(bool interrupted);

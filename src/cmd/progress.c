@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/json.h"
+#include "cmd/interrupt.h"
 #include "cmd/terminal.h"
 
 #include <inttypes.h>
@@ -42,6 +43,7 @@ void progress_words(Progress *progress, const char *words) {
     if (progress->kind != PROGRESS_TTY) return;
     fprintf(stderr, "\r%.*s\033[K", terminal_columns(STDERR_FILENO) - 1, words);
     progress->line = true;
+    interrupt_line(true);
 }
 
 void progress_begin(Progress *progress, const char *words) {
@@ -51,6 +53,7 @@ void progress_begin(Progress *progress, const char *words) {
 void progress_clear(Progress *progress) {
     if (progress->line) fputs("\r\033[K", stderr);
     progress->line = false;
+    interrupt_line(false);
 }
 
 static double seconds_left(const ProgressFigures *figures) {

@@ -2,9 +2,11 @@
 
 #include "base/lines.h"
 #include "base/memory.h"
+#include "base/near.h"
 #include "scene/glsl_blocks.h"
 #include "scene/glsl_find.h"
 
+#include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -66,12 +68,31 @@ static bool include_slot(Flattener *flattener, const char *name, const Place *pl
                      place->path, place->line, name, name);
 }
 
+/* Asks for the file of the same folder of the library that has a name like it. */
+static bool no_file(const char *name, const char *library, const Place *place, Error *error) {
+    const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;
+    struct dirent **entries = NULL;
+    Text folder = {0};
+    text_print(&folder, "%s/%.*s", library, (int)(last - name), name);
+    int count = scandir(text_string(&folder), &entries, NULL, alphasort);
+    Near near = near_to(last, strlen(last));
+    for (int i = 0; i < count; i++) {
+        if (strstr(entries[i]->d_name, ".glsl")) near_try(&near, entries[i]->d_name);
+    }
+    error_set(error, STATUS_SCENE, "%s:%d: no file '%s' beside this one or in %s%s%.*s%s%s", place->path,
+              place->line, name, library, near.name ? ": did you mean " : "",
+              near.name ? (int)(last - name) : 0, name, near.name ? near.name : "", near.name ? "?" : "");
+    for (int i = 0; i < count; i++) free(entries[i]);
+    free(entries);
+    text_free(&folder);
+    return false;
+}
+
 static bool include_quoted(Flattener *flattener, const Found *includer, const char *name, const Place *place,
                            Error *error) {
     Found found = glsl_find_quoted(flattener->store, includer, name);
     bool ok = found.path ? include_file(flattener, &found, place, error)
-                         : error_set(error, STATUS_SCENE, "%s:%d: no file '%s' beside this one or in %s",
-                                     place->path, place->line, name, flattener->store->folder);
+                         : no_file(name, flattener->store->folder, place, error);
     free(found.path);
     return ok;
 }
