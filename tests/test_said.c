@@ -119,6 +119,11 @@ static void test_options(void **state) {
         {"compare a b --quiet --json", "--quiet prints nothing, --json prints a line"},
         {"render a -o b.exr --quiet -v", "--quiet says nothing, -v says more"},
         {"render a -o b.exr --spp 3 --error 1", "--spp takes so many: one of them"},
+        {"render scenes/crater.glsl -o b.exr --orders 0",
+         "orders: 0 is outside the range from 1 to 1000 or all"},
+        {"render scenes/crater.glsl -o b.exr --orders some",
+         "orders: 'some' is not a whole number from 1 to 1000 or all"},
+        {"render scenes/crater.glsl -o b.exr --set hover=9", "hover: 9 is outside the range from -0.5 to 3"},
         {"render a -o b.exr --sun 5,90,7", "'5,90,7' is not EL or EL,AZ"},
     };
     static const char *const warned[][2] = {

@@ -1,6 +1,7 @@
 #include "scene/atmosphere.h"
 
 #include "base/known.h"
+#include "base/number.h"
 #include "base/text.h"
 #include "base/vec3.h"
 #include "scene/value.h"
@@ -150,8 +151,14 @@ static bool parse_field(const AtmosphereField *field, const char *value, double 
         return true;
     }
     atmosphere_print_range(field, &range);
-    error_set(error, STATUS_USAGE, "%s: '%s' is not %s%s", field->name, value,
-              field->whole ? "a whole number from " : "", text_string(&range));
+    bool outside = field->min <= field->max && number_parse(value, parsed) &&
+                   (*parsed < field->min || *parsed > field->max);
+    if (outside)
+        error_set(error, STATUS_USAGE, "%s: %s is outside the range from %s", field->name, value,
+                  text_string(&range));
+    else
+        error_set(error, STATUS_USAGE, "%s: '%s' is not %s%s", field->name, value,
+                  field->whole ? "a whole number from " : "", text_string(&range));
     text_free(&range);
     return false;
 }
