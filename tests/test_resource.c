@@ -79,7 +79,7 @@ static const ResourceKind first = {.name = "the first table",
                                    .inputs = {&seed},
                                    .input_samplers = {{"before"}},
                                    .wanted = wanted,
-                                   .in_steps = true,
+                                   .in_steps = wanted,
                                    .size = large_size,
                                    .uniforms = first_uniforms};
 static const ResourceKind between = {.name = "the table between",
@@ -99,7 +99,7 @@ static const ResourceKind second = {.name = "the second table",
                                     .inputs = {&between},
                                     .input_samplers = {{"before"}},
                                     .wanted = wanted,
-                                    .in_steps = true,
+                                    .in_steps = wanted,
                                     .size = large_size,
                                     .uniforms = second_uniforms};
 static const ResourceKind *const kinds[] = {&seed, &first, &between, &second, NULL};

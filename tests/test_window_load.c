@@ -102,6 +102,48 @@ static void measure_answers(size_t from) {
     print_times("from an event to its picture", times, count);
 }
 
+/* The times of the frames that the log has from byte `from` on, in order. */
+static int frame_times(size_t from, double times[MOST_TIMES]) {
+    int count = 0;
+    for (const char *at = desktop_log(window) + from;
+         (at = strstr(at, "\"frame_ms\": ")) && count < MOST_TIMES; at++)
+        count += sscanf(at, "\"frame_ms\": %lf", &times[count]) == 1;
+    qsort(times, (size_t)count, sizeof *times, by_size);
+    return count;
+}
+
+/* A hand that moves the sun and halts now and then. */
+static void move_sun(int moves) {
+    Text script = {0};
+    text_print(&script, "mousemove 200 100 mousedown 3");
+    for (int i = 0; i < moves; i++)
+        text_print(&script, " mousemove %d %d sleep %s", 200 + i % 40, 100 + i % 50,
+                   i % 15 ? "0.015" : "0.3");
+    text_print(&script, " mouseup 3");
+    desktop_do(window, "%s", text_string(&script));
+    text_free(&script);
+}
+
+/* In the heaviest scene, whose sky has all orders of scattering and whose sun comes into view, frames are
+ * quick while the sun moves. A machine that is busy with other work may miss it now and then. */
+static void test_motion(void **state) {
+    (void)state;
+    double times[MOST_TIMES], most_ms = getenv("FEWER_SAMPLES") ? 800 : 100;
+    desktop_view(window, "\"$here\"/scenes/spheres.glsl --size 480x300");
+    desktop_expect_number(window, "samples", 1, 1e9);
+    desktop_expect_number(window, "prepared", 1, 1);
+    desktop_do(window, "key h");
+    desktop_expect_number(window, "seconds", 0.5, 1e9);
+    size_t from = strlen(desktop_log(window));
+    move_sun(90);
+    int count = frame_times(from, times);
+    print_message("%d frames: %.0f ms (median), %.0f ms (worst)\n", count, times[count / 2],
+                  times[count - 1]);
+    assert_true(count > 20 && times[count * 4 / 5] < most_ms);
+    assert_true(times[count - 1] < 4 * most_ms);
+    desktop_quit(window);
+}
+
 /* From a key to another pixel on the screen, with the time that xdotool takes to start. */
 static void measure_latency(void) {
     enum { TIMES = 15 };
@@ -151,6 +193,8 @@ static int measure(const char *scene, const char *size) {
     printf("%s %s: %.1f updates a second while the sun is dragged, 1 / %.0f of the size\n", scene, size,
            frames / (clock_seconds() - from), desktop_number(window, "coarseness"));
     measure_answers(log);
+    double times[MOST_TIMES];
+    print_times("a frame", times, frame_times(log, times));
     desktop_do(window, "mouseup 3");
     usleep(2000000);
     snprintf(picture, sizeof picture, "%s", desktop_save(window, "exr"));
@@ -169,6 +213,7 @@ int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_storm, desktop_setup, desktop_teardown),
+        cmocka_unit_test_setup_teardown(test_motion, desktop_setup, desktop_teardown),
     };
     return cmocka_run_group_tests_name("window_load", tests, support_folder, support_clean);
 }

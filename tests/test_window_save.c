@@ -80,6 +80,31 @@ static void test_save(void **state) {
     assert_int_equal(support_run("", "compare '%s' '%s' --max-relrmse 0", saved, again), 0);
 }
 
+/* The coarse tables of previews leave nothing behind: after the sun and the camera were dragged, a picture at
+ * rest under the sky with all orders, with the sun's disk, is what `render` makes. */
+static void test_save_after_previews(void **state) {
+    (void)state;
+    Text file = {0}, command = {0};
+    Error error;
+    desktop_view(window, "\"$here\"/scenes/sundial.glsl --size 200x120 --spp 16");
+    desktop_expect_rest(window, 16);
+    desktop_do(window,
+               "key h mousemove 100 60 mousedown 3 mousemove 110 66 sleep 0.05 mousemove 112 70 sleep 0.4 "
+               "mousemove 90 60 sleep 0.02 mousemove 80 60 mouseup 3 mousedown 1 mousemove 84 62 mouseup 1");
+    desktop_expect_rest(window, 16);
+    const char *saved = desktop_save(window, "exr");
+    desktop_quit(window);
+    assert_true(file_read(saved, STATUS_FAILURE, &file, &error));
+    assert_true(image_attribute(&file, "magichour.command", &command));
+    char *output = strstr(command.data, "-o picture.exr ");
+    memset(output, ' ', strlen("-o picture.exr "));
+    const char *again = support_path("again.exr");
+    assert_int_equal(support_run("", "%s --quiet -o '%s'", command.data + strlen("magichour "), again), 0);
+    assert_int_equal(support_run("", "compare '%s' '%s' --max-relrmse 0", saved, again), 0);
+    text_free(&file);
+    text_free(&command);
+}
+
 /* A link line holds all that differs from the scene's file, and nothing else; a window that is opened by it
  * shows the same. */
 static void test_link(void **state) {
@@ -223,6 +248,7 @@ int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_save, desktop_setup, desktop_teardown),
+        cmocka_unit_test_setup_teardown(test_save_after_previews, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_link, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_save_moving, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_save_sides, desktop_setup, desktop_teardown),

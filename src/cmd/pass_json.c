@@ -79,7 +79,7 @@ static bool print(const Pass *pass, int order, const Plan *plan, const RenderPar
 
 bool pass_json_print(const Plan *plan, const RenderParams *params, FILE *file, Error *error) {
     Camera camera = camera_of(params->scene, plan_width(params), plan_height(params));
-    Frame frame = frame_of(plan, params->scene, &camera);
+    Frame frame = frame_of(plan, params, &camera);
     PassList list = pass_list(plan, params);
     Uniforms uniforms = {0};
     bool ok = true;

@@ -53,7 +53,8 @@ void film_destroy(Film *film) {
 }
 
 void film_reset(Film *film) {
-    target_clear(&film->target);
+    /* The next pass draws every pixel of the back, or it is copied from the front. */
+    target_clear_front(&film->target);
     clear_splat(film);
     film->samples = 0;
 }

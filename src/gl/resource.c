@@ -131,6 +131,10 @@ static void resize(Resource *resource, const void *frame) {
     resource->height = height;
 }
 
+static bool in_steps(const Resource *resource, const void *frame) {
+    return resource->kind->in_steps && resource->kind->in_steps(frame);
+}
+
 /* Draws strips of at most a tenth of a second. */
 static void draw_rows(Resource *resource, Step *step) {
     static const double first_guess = 2e4, longest_s = 0.3;
@@ -160,7 +164,7 @@ static bool draw(Resource *resource, const Resources *before, const void *frame,
     if (!program_check(&resource->program, error)) return false;
     gl->BindFramebuffer(GL_FRAMEBUFFER, resource->framebuffer);
     gl->Viewport(0, 0, resource->width, resource->height);
-    if (resource->kind->in_steps) {
+    if (in_steps(resource, frame)) {
         draw_rows(resource, step);
     } else {
         program_draw(&resource->program, 0, 0, resource->width, resource->height);
@@ -182,6 +186,14 @@ static bool same_bytes(const Text *a, const Text *b) {
     return a->size == b->size && (a->size == 0 || memcmp(a->data, b->data, a->size) == 0);
 }
 
+/* A table that is not drawn has the size that compute() gives it. */
+static bool has_size(const Resource *resource, const void *frame) {
+    int width, height;
+    if (!resource->kind->entry) return true;
+    resource->kind->size(frame, &width, &height);
+    return width == resource->width && height == resource->height;
+}
+
 /* Finds the tables that are out of date for this frame. Those that read them are so too. */
 static void find_stale(Resources *resources, const void *frame) {
     for (int i = 0; i < resources->count; i++) {
@@ -189,6 +201,7 @@ static void find_stale(Resources *resources, const void *frame) {
         Text key = {0};
         write_key(resource, frame, &key);
         bool same = same_bytes(&key, &resource->filled_for);
+        same &= has_size(resource, frame);
         for (int k = 0; k < RESOURCE_INPUTS; k++) same &= !resource->inputs[k] || resource->inputs[k]->whole;
         if (!same) {
             resource->whole = false;
@@ -221,7 +234,7 @@ static double share_ready(const Resources *resources, const void *frame) {
     for (int i = 0; i < resources->count; i++) {
         const Resource *resource = resources->items[i];
         int width, height;
-        if (!resource->kind->in_steps) continue;
+        if (!in_steps(resource, frame)) continue;
         resource->kind->size(frame, &width, &height);
         all += (double)width * height;
         ready += (double)width * (resource->whole ? height : resource->row);
@@ -239,7 +252,7 @@ bool resources_prepare_for(Resources *resources, const void *frame, Uniforms *un
         Resource *resource = resources->items[ready];
         Resources before = *resources;
         before.count = ready;
-        if (step.over && !resource->whole && resource->kind->in_steps) break;
+        if (step.over && !resource->whole && in_steps(resource, frame)) break;
         if (!prepare(resource, &before, frame, uniforms, &step, error)) return false;
         if (!resource->whole) break;
     }

@@ -30,9 +30,10 @@ struct ResourceKind {
     /* Whether a frame needs it even if no other table does. An input of a table that is needed is needed
      * too. */
     bool (*wanted)(const void *frame);
-    /* Whether filling it by drawing may take longer than a frame. It is then drawn in strips of rows, between
-     * which resources_prepare_for() may stop. A table that each frame changes would never be finished so. */
-    bool in_steps;
+    /* Whether filling it by drawing may take longer than this frame may. It is then drawn in strips of rows,
+     * between which resources_prepare_for() may stop. A table that each frame changes would never be finished
+     * so. NULL where it never is. */
+    bool (*in_steps)(const void *frame);
     /* The size in texels of a table that is drawn. */
     void (*size)(const void *frame, int *width, int *height);
     /* Appends the bytes on which the content depends, beside the inputs. NULL where it depends on the inputs

@@ -52,14 +52,20 @@ void target_destroy(Target *target) {
     *target = (Target){0};
 }
 
-void target_clear(Target *target) {
+static void clear_side(Target *target, int side) {
     static const GLfloat zero[4] = {0};
-    for (int side = 0; side < 2; side++) {
-        target->gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer[side]);
-        for (int i = 0; i < TARGET_TEXTURES; i++) {
-            if (target->textures[side][i]) target->gl->ClearBufferfv(GL_COLOR, i, zero);
-        }
+    target->gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer[side]);
+    for (int i = 0; i < TARGET_TEXTURES; i++) {
+        if (target->textures[side][i]) target->gl->ClearBufferfv(GL_COLOR, i, zero);
     }
+}
+
+void target_clear(Target *target) {
+    for (int side = 0; side < 2; side++) clear_side(target, side);
+}
+
+void target_clear_front(Target *target) {
+    clear_side(target, target->front);
 }
 
 void target_begin(const Target *target, const Program *program, const char *const *names) {

@@ -25,6 +25,9 @@ void target_destroy(Target *target);
 /* Sets both sides to zero. */
 void target_clear(Target *target);
 
+/* The same for the front side alone. */
+void target_clear_front(Target *target);
+
 /* The back side becomes what is drawn into. The front side's texture i becomes the sampler names[i] of the
  * program, which must be in use. A texture whose name is NULL is not read. */
 void target_begin(const Target *target, const Program *program, const char *const *names);

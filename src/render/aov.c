@@ -61,7 +61,7 @@ static bool create_program(Program *program, const Context *context, const Rende
 
 /* Collects the tables' uniforms only: the picture has filled the tables already. */
 static bool tell(const Aov *aov, const RenderParams *params, const Renderer *renderer, Error *error) {
-    Frame frame = frame_of(&renderer->plan, params->scene, &renderer->camera);
+    Frame frame = frame_of(&renderer->plan, params, &renderer->camera);
     Uniforms uniforms = {0};
     frame_uniforms(&frame, &renderer->plan, renderer->seed, &uniforms);
     resources_uniforms(&renderer->tables, &frame, &uniforms);

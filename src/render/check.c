@@ -128,7 +128,7 @@ static bool compile(Program *program, const Context *context, const RenderParams
 bool check_scene(Check *check, const Context *context, const RenderParams *params, const Renderer *renderer,
                  Error *error) {
     Camera camera = coarse(params, &renderer->camera);
-    Frame frame = frame_of(&renderer->plan, params->scene, &camera);
+    Frame frame = frame_of(&renderer->plan, params, &camera);
     Program program = {0};
     Target target = {0};
     Uniforms uniforms = {0};

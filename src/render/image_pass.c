@@ -27,22 +27,41 @@ void image_pass_destroy(ImagePass *pass) {
 bool image_pass_compile(ImagePass *pass, const SunImage *image, const Plan *plan, const RenderParams *params,
                         Error *error) {
     GlslSource source = {0};
-    if (!pass->gl || !image->count || pass->program.id) return true;
+    /* A window must not come to a stop when the sun comes into view. */
+    if (!pass->gl || pass->program.id || !(image->count || params->use != PICTURE_FILE)) return true;
     bool ok = pass_text(&sun_image_pass, plan, params, &source, error) &&
               pass_compile(&pass->program, pass->gl, &source, params, error);
     glsl_source_destroy(&source);
     return ok;
 }
 
+/* The side of the empty texture that stands in for one of this side. llvmpipe compiles a program anew when a
+ * texture's side becomes a power of two or ceases to be one, which takes it up to a second. */
+static int stand_in(int side) {
+    return side & (side - 1) ? 3 : 1;
+}
+
 void image_pass_begin(ImagePass *pass, const SunImage *image, int width, int height) {
     if (!pass->gl) return;
     pass->where = *image;
-    if (!image->count) width = height = 1;
+    if (!image->count) width = stand_in(width), height = stand_in(height);
     if (width != pass->width || height != pass->height)
         texture_resize(pass->gl, pass->texture, width, height, NULL);
     pass->width = width;
     pass->height = height;
     pass->gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
+    pass->gl->ClearBufferfv(GL_COLOR, 0, nothing);
+}
+
+void image_pass_warm_up(const ImagePass *pass, const Film *film) {
+    const Program *program = &pass->program;
+    if (!program->id) return;
+    program_use(program);
+    program_set_uint(program, "group_samples", 1);
+    film_give(film, program);
+    pass->gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
+    pass->gl->Viewport(0, 0, pass->width, pass->height);
+    program_draw(program, 0, 0, 1, 1);
     pass->gl->ClearBufferfv(GL_COLOR, 0, nothing);
 }
 

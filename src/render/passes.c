@@ -24,7 +24,7 @@ const Pass check_pass = {.name = "check", .entry = "pass/check.glsl"};
 PassList pass_list(const Plan *plan, const RenderParams *params) {
     PassList list = {0};
     Camera camera = camera_of(params->scene, plan_width(params), plan_height(params));
-    Frame frame = frame_of(plan, params->scene, &camera);
+    Frame frame = frame_of(plan, params, &camera);
     for (const ResourceKind *const *kind = picture_tables; *kind; kind++) {
         if (!(*kind)->entry || !resource_is_needed(*kind, picture_tables, &frame)) continue;
         list.passes[list.count++] = (Pass){.name = (*kind)->name, .entry = (*kind)->entry, .fills = *kind};
@@ -96,14 +96,17 @@ bool pass_trace_text(const RenderParams *params, GlslSource *source, Error *erro
     return plan_make(&plan, params, NULL, error) && pass_text(&trace_pass, &plan, params, source, error);
 }
 
-Frame frame_of(const Plan *plan, const Scene *scene, const Camera *camera) {
+Frame frame_of(const Plan *plan, const RenderParams *params, const Camera *camera) {
+    const Scene *scene = params->scene;
     return (Frame){.state = {scene->values.atmosphere, scene->values.sun},
                    .sky = &plan->sky,
                    .further = &plan->further,
                    .light = &plan->light,
                    .sun_disk = &plan->sun,
                    .scene = scene,
-                   .camera = *camera};
+                   .camera = *camera,
+                   .coarse = params->use == PICTURE_PREVIEW,
+                   .in_steps = params->use == PICTURE_AT_REST};
 }
 
 void frame_uniforms(const Frame *frame, const Plan *plan, unsigned seed, Uniforms *uniforms) {

@@ -47,7 +47,7 @@ MUST_CHECK bool pass_compile(Program *program, const GlApi *gl, const GlslSource
 MUST_CHECK bool pass_trace_text(const RenderParams *params, GlslSource *source, Error *error);
 
 /* The frame of a picture (sky/frame.h). It borrows the plan and the scene. */
-Frame frame_of(const Plan *plan, const Scene *scene, const Camera *camera);
+Frame frame_of(const Plan *plan, const RenderParams *params, const Camera *camera);
 
 /* Adds the uniforms that come from the frame. resources_prepare() adds those of the tables. */
 void frame_uniforms(const Frame *frame, const Plan *plan, unsigned seed, Uniforms *uniforms);

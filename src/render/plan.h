@@ -10,6 +10,16 @@
 
 #include <stdint.h>
 
+/* What a picture is for. A window's pictures follow a sun and a camera that move: what they may need is
+ * compiled before the first of them. */
+typedef enum PictureUse {
+    PICTURE_FILE,
+    /* The tables that follow the sun are coarse. */
+    PICTURE_PREVIEW,
+    /* The tables that follow the sun are in steps too. */
+    PICTURE_AT_REST
+} PictureUse;
+
 typedef struct RenderParams {
     const Scene *scene;
     /* NULL for the default. For the sky the default is the scene's own, if it has one. */
@@ -32,6 +42,7 @@ typedef struct RenderParams {
     /* Asked while the tables are filled, several times a second, for the share of them that is ready; NULL if
      * nobody waits. If it stops a start that must make them ready, that fails with STATUS_INTERRUPTED. */
     const SkyWatch *watch;
+    PictureUse use;
 } RenderParams;
 
 /* What the scene needs, found by scanning its flattened text. Features that it does not need are not

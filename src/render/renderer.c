@@ -79,9 +79,9 @@ static void begin(Renderer *renderer, unsigned group) {
 
 /* Draws one pixel that no film takes in, because drivers compile a program when it first draws. */
 static bool warm_up(Renderer *renderer, Error *error) {
-    SunImage image = renderer->image.where;
-    image_pass_draw(&renderer->image, &renderer->film, image.rectangles, image.count ? 1 : 0, 1);
-    if (image.count && !program_check(&renderer->image.program, error)) return false;
+    const Program *image = &renderer->image.program;
+    image_pass_warm_up(&renderer->image, &renderer->film);
+    if (image->id && !program_check(image, error)) return false;
     begin(renderer, 1);
     if (!program_check(&renderer->program, error)) return false;
     program_draw(&renderer->program, 0, 0, 1, 1);
@@ -132,7 +132,7 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
                          Error *error) {
     int width = plan_width(params), height = plan_height(params);
     Camera camera = camera_of(params->scene, width, height);
-    Frame frame = frame_of(&renderer->plan, params->scene, &camera);
+    Frame frame = frame_of(&renderer->plan, params, &camera);
     SunImage image;
     follow(renderer, &frame);
     if (!create_program(renderer, context, params, error) ||
@@ -207,7 +207,7 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
     if (!plan_same_programs(&renderer->plan, &plan) || renderer->variance != params->variance)
         return recreate(renderer, context, params, error);
     Camera camera = camera_of(scene, width, height);
-    Frame frame = frame_of(&renderer->plan, scene, &camera);
+    Frame frame = frame_of(&renderer->plan, params, &camera);
     unsigned seed = renderer->seed;
     Film next;
     renderer->plan = plan;
@@ -238,7 +238,7 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
 bool renderer_prepare(Renderer *renderer, const RenderParams *params, double seconds, bool (*stop)(void),
                       Error *error) {
     if (renderer->prepared == 1) return true;
-    Frame frame = frame_of(&renderer->plan, params->scene, &renderer->camera);
+    Frame frame = frame_of(&renderer->plan, params, &renderer->camera);
     return set_up(renderer, &frame, seconds, stop, error) && finish(renderer, error);
 }
 

@@ -25,4 +25,8 @@ typedef struct Frame {
      * annotated, or if the picture does not need them. */
     const double (*mirrors)[4];
     Camera camera;
+    /* Whether the tables that follow the sun may be coarse, for a preview. */
+    bool coarse;
+    /* Whether they are filled in steps. */
+    bool in_steps;
 } Frame;

@@ -5,7 +5,8 @@
 
 #include <math.h>
 
-enum { TABLE_COLUMNS = 32, TABLE_ROWS = 32, TABLE_BELOW = 64, RAY_NODES = 8 };
+/* The columns of a preview are enough for light that is smooth around the horizon. */
+enum { TABLE_COLUMNS = 32, PREVIEW_COLUMNS = 8, TABLE_ROWS = 32, TABLE_BELOW = 64, RAY_NODES = 8 };
 
 bool further_is_there(const Atmosphere *atmosphere) {
     const double *albedo = atmosphere->ground_albedo;
@@ -45,8 +46,12 @@ static bool wants_ground(const void *data) {
     return sky_integrates(frame) && a->orders <= 1 && further_is_there(a);
 }
 
+static int table_columns(const Frame *frame) {
+    return frame->coarse ? PREVIEW_COLUMNS : TABLE_COLUMNS;
+}
+
 static void size_uniforms(const Frame *frame, Uniforms *uniforms) {
-    static const double size[3] = {TABLE_COLUMNS, TABLE_ROWS, TABLE_BELOW};
+    double size[3] = {table_columns(frame), TABLE_ROWS, TABLE_BELOW};
     uniforms_declared_in(uniforms, "pass/further_size.glsl");
     uniforms_vec3(uniforms, "further_size", size);
     uniforms_float(uniforms, "further_horizon", sky_horizon_sine(&frame->state.atmosphere));
@@ -85,9 +90,12 @@ const ResourceKind further_rays = {.name = "the observer's rays",
 
 /* sky_further and sky_ground. */
 
+static bool table_in_steps(const void *frame) {
+    return ((const Frame *)frame)->in_steps;
+}
+
 static void table_size(const void *frame, int *width, int *height) {
-    (void)frame;
-    *width = TABLE_BELOW + TABLE_COLUMNS;
+    *width = TABLE_BELOW + table_columns(frame);
     *height = TABLE_ROWS;
 }
 
@@ -110,6 +118,7 @@ const ResourceKind sky_further = {.name = "the further light",
                                   .inputs = {&further_rays, &sky_moments},
                                   .input_samplers = {{"rays_air", "rays_aerosols"}},
                                   .wanted = wants_further,
+                                  .in_steps = table_in_steps,
                                   .size = table_size,
                                   .key = sky_key,
                                   .uniforms = further_table_uniforms};
@@ -121,6 +130,7 @@ const ResourceKind sky_ground = {.name = "the ground's light",
                                  .inputs = {&further_rays},
                                  .input_samplers = {{"rays_air", "rays_aerosols"}},
                                  .wanted = wants_ground,
+                                 .in_steps = table_in_steps,
                                  .size = table_size,
                                  .key = sky_key,
                                  .uniforms = ground_uniforms};

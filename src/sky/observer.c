@@ -20,4 +20,6 @@ void sky_key(const void *frame, Text *key) {
     orders_key(frame, key);
     text_append(key, &state->atmosphere, sizeof state->atmosphere);
     text_append(key, &state->sun.elevation_deg, sizeof state->sun.elevation_deg);
+    /* What is made from a coarse table is coarse too. */
+    text_append(key, &((const Frame *)frame)->coarse, sizeof(bool));
 }

@@ -159,8 +159,14 @@ FUNCTIONS(moments, 2)
 FUNCTIONS(moments, 3)
 FUNCTIONS(moments, 4)
 
+/* Its inputs do not follow the sun, so that it is finished even while the sun moves. */
+static bool always(const void *frame) {
+    (void)frame;
+    return true;
+}
+
 #define COMMON(what, k)                                                                                      \
-    .filter = GL_NEAREST, .wanted = wants_none, .in_steps = true, .size = what##_size_##k,                   \
+    .filter = GL_NEAREST, .wanted = wants_none, .in_steps = always, .size = what##_size_##k,                 \
     .uniforms = what##_uniforms_##k
 
 #define RAYS(k, number)                                                                                      \
@@ -228,6 +234,6 @@ const ResourceKind sky_moments = {
     .filter = GL_NEAREST,
     .inputs = {&order_moments[0], &order_moments[1], &order_moments[2], &order_moments[3], &order_moments[4]},
     .wanted = wants_none,
-    .in_steps = true,
+    .in_steps = always,
     .size = sum_size,
     .uniforms = sum_uniforms};

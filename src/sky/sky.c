@@ -82,13 +82,24 @@ void sky_uniforms(const Frame *frame, Uniforms *uniforms) {
     method_uniforms(frame->sky, uniforms);
 }
 
+enum { FEWEST_COLUMNS = 16 };
+
 static bool wants_table(const void *frame) {
     return ((const Frame *)frame)->sky->table;
+}
+
+static bool table_in_steps(const void *frame) {
+    return ((const Frame *)frame)->in_steps;
 }
 
 static void table_size(const void *data, int *columns, int *rows) {
     const Frame *frame = data;
     bias_table_size(frame->sky, frame->state.sun.elevation_deg, &frame->state.atmosphere, columns, rows);
+    /* A quarter of the texels. The glow around the sun needs some columns in any case. */
+    if (frame->coarse && *columns >= 2 * FEWEST_COLUMNS) {
+        *columns /= 2;
+        *rows /= 2;
+    }
     *rows *= 2;
 }
 
@@ -113,6 +124,7 @@ const ResourceKind sky_table = {.name = "the sky's table",
                                 .samplers = {"sky_table_rayleigh", "sky_table_mie"},
                                 .filter = GL_LINEAR,
                                 .wanted = wants_table,
+                                .in_steps = table_in_steps,
                                 .size = table_size,
                                 .key = sky_key,
                                 .uniforms = table_uniforms};

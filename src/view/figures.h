@@ -29,6 +29,8 @@ typedef struct SideFigures {
     double paths_per_second, seconds;
     /* The part of the sky's tables that is ready. Before it is 1 the picture of before is shown. */
     double prepared;
+    /* How long they have been waited for. */
+    double waited_s;
     /* The side of a preview's pixel, in pixels of the picture. 1 if the picture is at rest. */
     int coarseness;
     ErrorCurve curve;

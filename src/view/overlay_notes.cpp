@@ -123,7 +123,8 @@ float overlay_progress(const ViewState *state, const ViewFigures *figures, float
     char text[64];
     const SideFigures *left = &figures->sides[0], *right = &figures->sides[1];
     const SideFigures *side = state->split && right->prepared < left->prepared ? right : left;
-    if (side->prepared == 1) return floor;
+    /* A note that comes and goes at each halt of the hand would only disturb. */
+    if (side->prepared == 1 || side->waited_s < 0.3) return floor;
     figures_progress(side, text, sizeof text);
     return note("progress", em(overlay_margin), floor, amber, text);
 }

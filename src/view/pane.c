@@ -39,7 +39,7 @@ static const char *further_of(const PaneParams *params) {
     return name ? name : method_family(METHOD_FURTHER)->fallback;
 }
 
-static RenderParams render_params(const PaneParams *params, int coarseness) {
+static RenderParams render_params(const PaneParams *params, int coarseness, bool preview) {
     return (RenderParams){.scene = params->scene,
                           .sky = sky_of(params),
                           .further = further_of(params),
@@ -51,7 +51,8 @@ static RenderParams render_params(const PaneParams *params, int coarseness) {
                           .seed = params->seed,
                           .max_hits = params->max_hits,
                           .variance = true,
-                          .in_steps = true};
+                          .in_steps = true,
+                          .use = preview ? PICTURE_PREVIEW : PICTURE_AT_REST};
 }
 
 /* The number of paths that a preview may have. With a sample or two a pixel, a path takes about twice its
@@ -90,10 +91,8 @@ static void exchange_films(Pane *pane) {
 static void forget_figures(Pane *pane) {
     pane->seconds = 0;
     pane->paths = 0;
-    noise_destroy(&pane->noise);
+    estimate_reset(&pane->estimate);
     pane->curve.count = 0;
-    pane->error_percent = pane->error_levels = pane->worst_levels = NAN;
-    pane->chance_percent = 0;
 }
 
 static void remember(Pane *pane, const PaneParams *params, int coarseness) {
@@ -104,6 +103,7 @@ static void remember(Pane *pane, const PaneParams *params, int coarseness) {
     pane->width = params->width;
     pane->height = params->height;
     pane->coarseness = coarseness;
+    pane->begun = clock_seconds();
     forget_figures(pane);
 }
 
@@ -117,17 +117,24 @@ static bool must_exchange(const Pane *pane, const PaneParams *params, const Rend
     return film->samples && !(preview && same_film);
 }
 
+/* Whether a preview can go on in the film of the last one, which is shown because the picture at rest has not
+ * come to its first samples. The film of the picture at rest is then kept for the next rest. */
+static bool may_go_back(const Pane *pane, const RenderParams *wanted, bool preview) {
+    const Film *kept = &pane->kept;
+    return preview && !pane->renderer.film.samples && kept->samples && kept->width == wanted->width &&
+           kept->height == wanted->height;
+}
+
 static bool start(Pane *pane, const PaneParams *params, bool preview, int coarseness, Error *error) {
-    RenderParams wanted = render_params(params, coarseness);
+    RenderParams wanted = render_params(params, coarseness, preview);
     if (!pane->renderer.gl) return renderer_create(&pane->renderer, params->context, &wanted, error);
-    bool exchanged = must_exchange(pane, params, &wanted, preview);
-    if (exchanged) {
-        exchange_films(pane);
-        /* What this film held is older than what is shown. */
-        pane->renderer.film.samples = 0;
-    }
+    bool exchanged = must_exchange(pane, params, &wanted, preview),
+         back = may_go_back(pane, &wanted, preview);
+    if (exchanged || back) exchange_films(pane);
+    /* What this film held is older than what is shown. */
+    if (exchanged) pane->renderer.film.samples = 0;
     if (renderer_restart(&pane->renderer, params->context, &wanted, error)) return true;
-    if (exchanged) exchange_films(pane);
+    if (exchanged || back) exchange_films(pane);
     return false;
 }
 
@@ -145,7 +152,7 @@ bool pane_update(Pane *pane, const PaneParams *params, Error *error) {
 }
 
 bool pane_compile(const PaneParams *params, Renderer *next, Error *error) {
-    RenderParams wanted = render_params(params, 1);
+    RenderParams wanted = render_params(params, 1, false);
     return renderer_create(next, params->context, &wanted, error);
 }
 
@@ -166,56 +173,14 @@ void pane_hurry(Pane *pane) {
 void pane_destroy(Pane *pane) {
     renderer_destroy(&pane->renderer);
     film_destroy(&pane->kept);
-    noise_destroy(&pane->noise);
+    estimate_destroy(&pane->estimate);
     scene_destroy(&pane->scene);
     *pane = (Pane){0};
 }
 
 bool pane_rests(const Pane *pane, const PaneParams *params) {
-    return pane_is_ready(pane) && !pane->preview_samples && pane->renderer.film.samples >= params->samples;
-}
-
-/* The estimate needs the picture at each doubling of its samples. In between it needs only their number. */
-static bool measure_noise(Pane *pane, Error *error) {
-    const Film *film = &pane->renderer.film;
-    Image mean;
-    FilmCount count;
-    ChanceMap map;
-    if (!film_read(film, &mean, &count, error)) return false;
-    bool ok = chance_map_read(&map, film, error);
-    if (ok) {
-        ChanceShares chance = chance_shares(&map, &mean);
-        evidence_gather(&pane->noise, &map, &mean);
-        noise_measure(&pane->noise, &mean);
-        pane->mean = pane->noise.mean;
-        pane->chance_percent = chance_matters(&chance) ? 100 * chance.light : 0;
-        chance_map_free(&map);
-    }
-    image_free(&mean);
-    return ok;
-}
-
-static double known(double error) {
-    return error < INFINITY ? error : NAN;
-}
-
-static bool estimate(Pane *pane, const PaneParams *params, Error *error) {
-    const Renderer *renderer = &pane->renderer;
-    const Film *film = &renderer->film;
-    Noise *noise = &pane->noise;
-    double gain = exp2(params->scene->values.exposure_ev), rms, worst;
-    uint64_t paths = film->samples * (uint64_t)film->width * (uint64_t)film->height;
-    ToneTable tone = tone_table(TONE_AUTHOR, gain);
-    if (!noise->tiles) *noise = evidence_begin(renderer, &tone);
-    noise_show(noise, gain);
-    for (int i = 0; i < noise->columns * noise->rows; i++) noise->tiles[i].samples = film->samples;
-    if (!(film->samples & (film->samples - 1)) && !measure_noise(pane, error)) return false;
-    bool claimed = evidence_suffices(&renderer->plan, film->samples, paths) && noise->largest > 0;
-    noise_levels(noise, &rms, &worst);
-    pane->error_percent = claimed ? known(noise_error(noise, NOISE_RADIANCE)) : NAN;
-    pane->error_levels = claimed ? known(rms) : NAN;
-    pane->worst_levels = claimed ? known(worst) : NAN;
-    return true;
+    return pane_is_ready(pane) && !pane->preview_samples && pane->renderer.film.samples >= params->samples &&
+           pane->estimate.stage == ESTIMATE_DONE;
 }
 
 /* A program's first draw includes compiling it, so it is left out of the measured speed. */
@@ -226,14 +191,10 @@ static void measure(Pane *pane, double rate) {
     if (!first) *known = *known > 0 ? 0.7 * *known + 0.3 * rate : rate;
 }
 
-bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
+/* Draws samples, or rows of them. */
+static bool draw_samples(Pane *pane, const PaneParams *params, Error *error) {
     Renderer *renderer = &pane->renderer;
     const Film *film = &renderer->film;
-    RenderParams wanted = render_params(params, pane->coarseness);
-    if (pane_rests(pane, params)) return true;
-    /* Events do not cut this short, or a hand that drags the sun would bring it to a stop. */
-    if (!renderer_prepare(renderer, &wanted, 2 * params->budget_s, NULL, error)) return false;
-    if (!pane_is_ready(pane)) return true;
     uint64_t samples = pane->preview_samples ? pane->preview_samples : params->samples - film->samples;
     /* A preview is shown when all of it is drawn. */
     double budget = pane->preview_samples ? INFINITY : params->budget_s, begin = clock_seconds();
@@ -246,16 +207,29 @@ bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
     measure(pane, (double)paths / taken);
     pane->paths += paths;
     pane->seconds += taken;
-    bool committed = !pane->preview_samples && film->samples > before;
-    if (!committed) return true;
-    if (!estimate(pane, params, error)) return false;
-    curve_extend(&pane->curve, pane->seconds, pane->error_percent);
+    if (!pane->preview_samples && film->samples > before)
+        estimate_begin(&pane->estimate, renderer, params->scene->values.exposure_ev);
+    return true;
+}
+
+bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
+    Renderer *renderer = &pane->renderer;
+    Estimate *estimate = &pane->estimate;
+    RenderParams wanted = render_params(params, pane->coarseness, pane->preview_samples > 0);
+    if (pane_rests(pane, params)) return true;
+    /* Events do not cut this short, or a hand that drags the sun would bring it to a stop. */
+    if (!renderer_prepare(renderer, &wanted, 2 * params->budget_s, NULL, error)) return false;
+    if (!pane_is_ready(pane)) return true;
+    bool draws = estimate->stage == ESTIMATE_DONE;
+    if (!(draws ? draw_samples(pane, params, error) : estimate_step(estimate, renderer, error))) return false;
+    if (estimate->stage == ESTIMATE_DONE) curve_extend(&pane->curve, pane->seconds, estimate->error_percent);
     return true;
 }
 
 void pane_figures(const Pane *pane, SideFigures *figures) {
     const Renderer *renderer = &pane->renderer;
     figures->prepared = renderer->gl ? renderer->prepared : 1;
+    figures->waited_s = pane_is_ready(pane) ? 0 : clock_seconds() - pane->begun;
     if (!renderer->gl) return;
     const char *disk = renderer->plan.sun.text;
     bool has_disk = renderer->plan.sun.method->has_disk;
@@ -263,10 +237,10 @@ void pane_figures(const Pane *pane, SideFigures *figures) {
              renderer->plan.light.text, renderer->plan.sequence.text, has_disk ? ", disk " : "",
              has_disk ? disk : "");
     figures->samples = pane_is_ready(pane) ? renderer->film.samples : 0;
-    figures->error_percent = pane->error_percent;
-    figures->error_levels = pane->error_levels;
-    figures->worst_levels = pane->worst_levels;
-    figures->chance_percent = pane->chance_percent;
+    figures->error_percent = pane->estimate.error_percent;
+    figures->error_levels = pane->estimate.error_levels;
+    figures->worst_levels = pane->estimate.worst_levels;
+    figures->chance_percent = pane->estimate.chance_percent;
     bool preview = pane->preview_samples && pane->preview_rate > 0;
     figures->paths_per_second = preview ? pane->preview_rate : pane->paths_per_second;
     figures->seconds = pane->seconds;

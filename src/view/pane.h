@@ -2,8 +2,7 @@
  * a coarser preview. */
 #pragma once
 
-#include "error/evidence.h"
-#include "render/renderer.h"
+#include "view/estimate.h"
 #include "view/figures.h"
 #include "view/state.h"
 
@@ -47,22 +46,14 @@ typedef struct Pane {
     double preview_rate;
     /* The program whose speed was measured. */
     GLuint measured;
+    /* When the picture was begun. */
+    double begun;
     /* Time spent on the picture. */
     double seconds;
     /* Paths of the picture so far. */
     uint64_t paths;
-    /* The estimated error. NaN while it is not known. */
-    double error_percent;
-    /* The same in 8-bit levels of the picture as it is shown, and in its worst tile. */
-    double error_levels, worst_levels;
-    /* The share of the picture's light that is left to chance (render/chance.h). 0 if that is not worth a
-     * word. */
-    double chance_percent;
-    /* The mean radiance over pixels and channels. 0 while it is not known. */
-    double mean;
+    Estimate estimate;
     ErrorCurve curve;
-    /* The noise of the picture at rest. */
-    Noise noise;
     /* Whether the last update changed the picture. A change from preview to rest does not count. */
     bool changed;
 } Pane;

@@ -148,7 +148,7 @@ static DisplaySide display_side(const Pane *pane) {
 
 /* The radiance at the ends of the false colours; 0 if they are not shown. */
 static double difference_shown(const Picture *picture, const ViewState *state) {
-    double mean = picture->panes[0].mean;
+    double mean = picture->panes[0].estimate.mean;
     return state->difference ? state->difference_percent / 100 * (mean > 0 ? mean : 1) : 0;
 }
 

@@ -75,7 +75,7 @@ static void describe(const SaveParams *params, const FilmCount *count, Attribute
     attribute_add(list, "magichour.depth", "%d", params->max_hits);
     attribute_add(list, "magichour.rejected", "%" PRIu64, count->rejected);
     attribute_add(list, "magichour.seconds", "%.6f", pane->seconds);
-    const Noise *noise = &pane->noise;
+    const Noise *noise = &pane->estimate.noise;
     if (noise->tiles && !params->sides[1])
         sun_pixels_describe(noise->left_out, noise->width, noise->height, list);
     describe_picture(list, params->scene, &pane->renderer, params->context);
