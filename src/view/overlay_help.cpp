@@ -42,6 +42,8 @@ ImVec4 overlay_help(ViewState *state) {
           highest = std::fmax(display.y - em(2 * overlay_margin), em(3));
     ImGui::SetNextWindowPos(ImVec2(display.x / 2, display.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, highest));
+    /* The panel may be behind it. */
+    ImGui::SetNextWindowBgAlpha(0.98f);
     if (ImGui::Begin("Keys###help", &state->help,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |

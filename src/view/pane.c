@@ -221,8 +221,11 @@ bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
     if (!renderer_prepare(renderer, &wanted, 2 * params->budget_s, NULL, error)) return false;
     if (!pane_is_ready(pane)) return true;
     bool draws = estimate->stage == ESTIMATE_DONE;
+    uint64_t before = renderer->film.samples;
     if (!(draws ? draw_samples(pane, params, error) : estimate_step(estimate, renderer, error))) return false;
-    if (estimate->stage == ESTIMATE_DONE) curve_extend(&pane->curve, pane->seconds, estimate->error_percent);
+    /* The curve has a point for each error that was found, and none for the time in between. */
+    bool found = estimate->stage == ESTIMATE_DONE && (!draws || renderer->film.samples > before);
+    if (found) curve_extend(&pane->curve, pane->seconds, estimate->error_percent);
     return true;
 }
 
