@@ -2,7 +2,7 @@
 # The crater under the paper's sky and under that of the atmosphere `earth`: tools/demo.sh MAGICHOUR FOLDER [further options of `render`]
 #
 # A picture is rendered until its noise is too small to be seen: an RMS of 1 of 255 levels, and of 2 in the worst tile. Two pictures
-# would take minutes so, and have up to twice that.
+# would take minutes so, and have up to twice that. At the blue hour the sky's own error leaves little of 1 level to the noise.
 set -eu
 magichour=$1
 folder=$2
@@ -27,8 +27,8 @@ figures() {
     figure 10 earth-sunset "the sun at 5: blue where the paper's sky is green" crater --atmosphere earth --preset sunset "$@"
     figure 7 earth-early-evening "the sun at -2: the sky overhead is blue, because ozone absorbs red" crater \
         --atmosphere earth --preset early-evening "$@"
-    figure 7 earth-blue-hour "the sun at -6: the paper's sky would be brown" crater --atmosphere earth --sun -6 --exposure 8.3 \
-        --sky table "$@"
+    figure 5 earth-blue-hour "the sun at -6: the paper's sky would be brown" crater --atmosphere earth --sun -6 --exposure 8.3 \
+        --sky table --error 1.5levels "$@"
 
     say "Not the paper's: the sun's own disk shines too."
     figure 5 sunlit-noon "the sun at 60" crater --preset noon --sun-disk --exposure -3 "$@"
