@@ -1,4 +1,4 @@
 /* The program's version. */
 #pragma once
 
-#define MAGICHOUR_VERSION "0.1.0"
+#define MAGICHOUR_VERSION "0.2.0"
