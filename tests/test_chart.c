@@ -339,7 +339,8 @@ static void test_usage(void **state) {
                    "chart scenes/crater.glsl --charts sky,frob -o '%s'", folder);
     support_expect(3, "none.glsl: cannot be read", "chart none.glsl -o '%s'", folder);
     support_expect(5, "no folder can be made there", "chart scenes/crater.glsl -o /none/charts");
-    support_expect(5, "is no folder", "chart scenes/crater.glsl -o '%s'", support_write("file", "x"));
+    support_expect(5, "no folder can be made there: File exists", "chart scenes/crater.glsl -o '%s'",
+                   support_write("file", "x"));
     support_expect(2, "each side must be from 1", "chart scenes/crater.glsl --size 99999x1 -o '%s'", folder);
     const char *bad = support_write("bad.glsl", "//@ frob\n");
     support_expect(3, "bad.glsl:1: unknown annotation", "chart '%s' -o '%s'", bad, folder);

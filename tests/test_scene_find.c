@@ -120,8 +120,7 @@ static void test_find(void **state) {
 /* Every command that takes a scene. The window's is in test_window.c, and a picture is in test_install.c. */
 static void test_commands(void **state) {
     (void)state;
-    static const char *const commands[] = {"render moonn -o a.png", "view moonn",
-                                           "flatten moonn",         "info moonn",
+    static const char *const commands[] = {"render moonn -o a.png", "flatten moonn", "info moonn",
                                            "chart moonn -o charts", "explain moonn"};
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
         support_expect(3, "moonn: cannot be read: No such file or directory, and ", "%s", commands[i]);

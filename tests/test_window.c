@@ -279,6 +279,8 @@ static void test_window(void **state) {
     assert_int_equal(desktop_end(window), 130);
     support_expect(2, "usage: magichour view", "view");
     support_expect(3, "no-such.glsl: cannot be read", "view no-such.glsl");
+    support_expect(5, "no folder can be made there: No such file or directory",
+                   "view scenes/crater.glsl --record '%s/x/y'", support_path("none"));
     support_expect(3, "has no scene of this name: did you mean crater?", "view cratr");
     assert_int_equal(
         support_run("env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_RUNTIME_DIR", "view scenes/crater.glsl"), 4);
