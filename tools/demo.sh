@@ -50,14 +50,15 @@ left() {
     seconds=$((($(date +%s) - start) * (whole - done) / done))
     if [ $seconds -ge 90 ]; then echo " (about $(((seconds + 30) / 60)) minutes left)"; else echo " (about $seconds s left)"; fi
 }
+# Status 7 says that the error is not promised, because the sky without Rayleigh's scattering was not measured.
+unless_unpromised() { [ "$1" = 7 ] || exit "$1"; }
 say() { echo && echo "$1"; }
 figure() {
     cost=$1 name=$2 what=$3 scene=$4
     shift 4
     number=$((number + 1))
     echo "$number of $count, $name: $what$(left)"
-    # Status 7 says that the error is not promised, because the sky without Rayleigh's scattering was not measured.
-    "$magichour" render "$scenes/$scene.glsl" --error 1levels "$@" -o "$folder/$name.exr" -o "$folder/$name.png" || [ $? = 7 ]
+    "$magichour" render "$scenes/$scene.glsl" --error 1levels "$@" -o "$folder/$name.exr" -o "$folder/$name.png" || unless_unpromised $?
     done=$((done + cost))
 }
 echo "$count pictures, each as EXR and as PNG, go into $folder/. On two cores this takes about $((whole / 60 + 1)) minutes."
