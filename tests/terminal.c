@@ -23,6 +23,7 @@ void terminal_open(Terminal *terminal, int columns) {
     if (!name) {
         print_message("no terminal can be made here\n");
         skip();
+        return;
     }
     snprintf(terminal->name, sizeof terminal->name, "%s", name);
     /* While the terminal is open here, what was written stays when its writer ends. */

@@ -133,6 +133,7 @@ static void test_options_refused(void **state) {
         {"magichour render a -o --quiet", "-o needs a value FILE, and '--quiet' is an option"},
         {"magichour render a --sky --light mis", "--sky needs a value METHOD, and '--light' is an option"},
         {"magichour render a -o", "-o needs a value FILE"},
+        {"magichour render a --output=", "-o: an empty word names no file"},
         {"magichour render a -vquiet", "unknown option '-vquiet'"},
         {"magichour render a --sun-disk never", "'never' is one file too many"},
         {"magichour version a", "'a' is one file too many"},

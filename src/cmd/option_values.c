@@ -8,6 +8,7 @@
 
 bool take_output(Options *options, const char *name, const char *value, Error *error) {
     enum { MOST = sizeof options->outputs / sizeof *options->outputs };
+    if (!*value) return error_set(error, STATUS_USAGE, "%s: an empty word names no file", name);
     if (options->output_count == MOST)
         return error_set(error, STATUS_USAGE, "%s more than %d times", name, MOST);
     options->outputs[options->output_count++] = value;
