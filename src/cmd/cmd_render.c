@@ -205,7 +205,7 @@ static bool render(RenderJob *job, Error *error) {
             return false;
         note_errors(job);
         figures->seconds = clock_seconds() - start;
-        progress_report(&job->progress, figures);
+        if (!enough(job)) progress_report(&job->progress, figures);
     }
     return finish(job, error);
 }
