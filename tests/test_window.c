@@ -85,6 +85,23 @@ static void test_day(void **state) {
     desktop_quit(window);
 }
 
+/* A surface cannot reflect more than all light. The panel says so, and so does standard error, once. */
+static void test_wrong_values(void **state) {
+    (void)state;
+    support_write(
+        "wrong.glsl",
+        "//@ camera eye 0 1 -4 target 0 0.5 0\n#include \"material/matte.glsl\"\n#include "
+        "\"shape/sphere.glsl\"\n"
+        "void scene_intersect(Ray ray, INOUT(Hit) hit) { hit_sphere(ray, vec3(0.0), 1.0, 4, hit); }\n"
+        "Material scene_material(Hit hit) { return matte(vec3(2.0)); }\n");
+    desktop_view(window, "wrong.glsl " SMALL);
+    desktop_expect(
+        window, "magichour: warning: wrong.glsl: object 4 has an albedo of 2; what is above 1 is taken as 1",
+        "");
+    desktop_expect_rest(window, 128);
+    desktop_quit(window);
+}
+
 static void test_camera(void **state) {
     (void)state;
     desktop_view(window, "\"$here\"/scenes/crater.glsl " SMALL " --progress none --set ball=0");
@@ -419,6 +436,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_sun, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_day, desktop_setup, desktop_teardown),
+        cmocka_unit_test_setup_teardown(test_wrong_values, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_camera, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_panel, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_reload, desktop_setup, desktop_teardown),

@@ -6,7 +6,6 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 static void say_why(const char *what, const MethodChoice *choice) {
     if (choice->why[0]) fprintf(stderr, "auto took %s %s: %s\n", what, choice->text, choice->why);
@@ -118,12 +117,8 @@ static void warn_promise(const RenderJob *job) {
 
 static void warn_check(const RenderJob *job) {
     Text lines = {0};
-    check_print(&job->check, &lines);
-    for (const char *line = text_string(&lines); *line;) {
-        int length = (int)strcspn(line, "\n");
-        fprintf(stderr, "magichour: warning: %s: %.*s\n", job->scene.file->path, length, line);
-        line += length + 1;
-    }
+    check_print(&job->check, job->scene.file->path, &lines);
+    fputs(text_string(&lines), stderr);
     text_free(&lines);
 }
 

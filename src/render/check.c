@@ -149,12 +149,13 @@ bool check_scene(Check *check, const Context *context, const RenderParams *param
     return ok;
 }
 
-void check_print(const Check *check, Text *out) {
+void check_print(const Check *check, const char *path, Text *out) {
     for (int i = 0; check->done && i < CHECK_KINDS; i++) {
         const CheckValue *worst = &check->worst[i];
         char words[256];
         if (badness(&kinds[i], worst->value) <= kinds[i].tolerance) continue;
         snprintf(words, sizeof words, kinds[i].words, worst->value);
+        if (path) text_print(out, "magichour: warning: %s: ", path);
         text_print(out, "object %d %s\n", worst->object, words);
     }
 }

@@ -25,5 +25,6 @@ typedef struct Check {
 MUST_CHECK bool check_scene(Check *check, const Context *context, const RenderParams *params,
                             const Renderer *renderer, Error *error);
 
-/* Appends a line for each kind of value that is wrong, such as "object 8 has an albedo of 1.8; ...". */
-void check_print(const Check *check, Text *out);
+/* Appends a line for each kind of value that is wrong, such as "object 8 has an albedo of 1.8; ...". With the
+ * scene's path each line is a warning of the program's. */
+void check_print(const Check *check, const char *path, Text *out);

@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-enum { MOST_CURVE = 160 };
+enum { MOST_CURVE = 160, MOST_WRONG = 512 };
 
 /* The estimated error against time, while the picture converged. */
 typedef struct ErrorCurve {
@@ -34,6 +34,8 @@ typedef struct SideFigures {
     /* The side of a preview's pixel, in pixels of the picture. 1 if the picture is at rest. */
     int coarseness;
     ErrorCurve curve;
+    /* What is wrong with the scene's values, in lines; empty if nothing was found. */
+    char wrong[MOST_WRONG];
 } SideFigures;
 
 /* The pixel under the pointer. It is not known while something moves. */

@@ -166,6 +166,7 @@ static void side_section(const SideFigures *side) {
     ImGui::PushTextWrapPos(em(panel_width));
     if (side->chance_percent > 0)
         ImGui::Text("%.2g %% of the light is found by chance", side->chance_percent);
+    if (*side->wrong) ImGui::TextColored(amber, "%s", side->wrong);
     ImGui::TextColored(grey, "%s", side->methods);
     ImGui::PopTextWrapPos();
     curve_plot(&side->curve);

@@ -2,13 +2,15 @@
 
 #include "base/clock.h"
 #include "base/text.h"
+#include "render/check.h"
+#include "view/say.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { COARSEST = 8, MOST_PREVIEW_SAMPLES = 16 };
+enum { COARSEST = 8, MOST_PREVIEW_SAMPLES = 16, CHECK_SAMPLES = 64 };
 
 static bool same_methods(const MethodNames *a, const MethodNames *b) {
     return strcmp(a->sky, b->sky) == 0 && strcmp(a->light, b->light) == 0 &&
@@ -97,6 +99,10 @@ static void forget_figures(Pane *pane) {
 
 static void remember(Pane *pane, const PaneParams *params, int coarseness) {
     Scene scene = scene_share(params->scene);
+    if (scene.file != pane->scene.file) {
+        pane->checked = false;
+        pane->wrong[0] = 0;
+    }
     scene_destroy(&pane->scene);
     pane->scene = scene;
     pane->methods = *params->methods;
@@ -212,6 +218,21 @@ static bool draw_samples(Pane *pane, const PaneParams *params, Error *error) {
     return true;
 }
 
+/* Looks for values that no surface can have, once for each file, when the picture has been at rest for a
+ * while: the check compiles a program. */
+static bool check_values(Pane *pane, const PaneParams *params, const RenderParams *wanted, Error *error) {
+    Check check;
+    Text lines = {0};
+    if (pane->checked || pane->preview_samples || pane->renderer.film.samples < CHECK_SAMPLES) return true;
+    pane->checked = true;
+    if (!check_scene(&check, params->context, wanted, &pane->renderer, error)) return false;
+    check_print(&check, NULL, &lines);
+    snprintf(pane->wrong, sizeof pane->wrong, "%s", text_string(&lines));
+    text_free(&lines);
+    say_check(&check, params->scene->file->path);
+    return true;
+}
+
 bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
     Renderer *renderer = &pane->renderer;
     Estimate *estimate = &pane->estimate;
@@ -226,7 +247,7 @@ bool pane_draw(Pane *pane, const PaneParams *params, Error *error) {
     /* The curve has a point for each error that was found, and none for the time in between. */
     bool found = estimate->stage == ESTIMATE_DONE && (!draws || renderer->film.samples > before);
     if (found) curve_extend(&pane->curve, pane->seconds, estimate->error_percent);
-    return true;
+    return check_values(pane, params, &wanted, error);
 }
 
 void pane_figures(const Pane *pane, SideFigures *figures) {
@@ -249,4 +270,5 @@ void pane_figures(const Pane *pane, SideFigures *figures) {
     figures->seconds = pane->seconds;
     figures->coarseness = pane->preview_samples ? pane->coarseness : 1;
     figures->curve = pane->curve;
+    memcpy(figures->wrong, pane->wrong, sizeof figures->wrong);
 }

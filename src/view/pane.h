@@ -54,6 +54,10 @@ typedef struct Pane {
     uint64_t paths;
     Estimate estimate;
     ErrorCurve curve;
+    /* Whether the scene's values were checked since its file was read, and what is wrong with them: lines as
+     * check_print() has them. */
+    bool checked;
+    char wrong[MOST_WRONG];
     /* Whether the last update changed the picture. A change from preview to rest does not count. */
     bool changed;
 } Pane;

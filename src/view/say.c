@@ -13,3 +13,10 @@ void say_refusal(ViewState *state, const Error *refusal) {
     bool said = notice->failed && strncmp(notice->text, refusal->text, sizeof notice->text - 1) == 0;
     if (!said) say_failure(state, refusal);
 }
+
+void say_check(const Check *check, const char *path) {
+    Text lines = {0};
+    check_print(check, path, &lines);
+    fputs(text_string(&lines), stderr);
+    text_free(&lines);
+}
