@@ -12,7 +12,7 @@
 
 #include "gl/context.h"
 #include "image/format.h"
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 /* Ends a test that needs OpenGL where there is none: skips it with the reason, or fails it if the environment
  * says REQUIRE_GL=1. */

@@ -1,7 +1,7 @@
 /* Materials: what is drawn is what the density says, nothing is won, and glass obeys Snell and Fresnel. */
 #include "support.h"
 
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 #include <math.h>
 #include <stdbool.h>

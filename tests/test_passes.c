@@ -4,9 +4,9 @@
 
 #include "gl/program.h"
 #include "render/renderer.h"
-#include "scene/glsl_uniforms.h"
 #include "sky/irradiance.h"
 #include "sky/sky_sampler.h"
+#include "source/glsl_uniforms.h"
 
 #include <string.h>
 

@@ -3,9 +3,9 @@
 
 #include "base/number.h"
 #include "base/text.h"
-#include "scene/glsl_log.h"
-#include "scene/glsl_scan.h"
 #include "scene/scene.h"
+#include "source/glsl_log.h"
+#include "source/glsl_scan.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 
 #include "render/aov.h"
 #include "render/renderer.h"
-#include "scene/glsl_scan.h"
+#include "source/glsl_scan.h"
 
 #include <stdio.h>
 #include <stdlib.h>

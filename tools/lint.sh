@@ -79,7 +79,7 @@ circles() {
 }
 
 check_layers() {
-    layered src "base image scene gl choice sky render error view chart cmd" $(git ls-files 'src/*.[ch]' 'src/*.[ch]pp')
+    layered src "base image source scene gl choice sky render error view chart cmd" $(git ls-files 'src/*.[ch]' 'src/*.[ch]pp')
 }
 
 check_circles() {
@@ -130,7 +130,7 @@ check_constants() {
 methods() { build/magichour info | awk -v family="$1" '/^[^ ]/ { listed = $1 == family; next } listed { print $1 }'; }
 
 # other_program NAME ENTRY SLOT FILE: what the window and `sky` draw is no pass of a picture, so that its text is made here, in the
-# way of src/scene/glsl_source.c: each file once, and a file in place of the slot.
+# way of src/source/glsl_source.c: each file once, and a file in place of the slot.
 other_program() {
     awk -v entry="$2" -v slot="$3" -v file="$4" '
         function emit(path, number, n, line) {

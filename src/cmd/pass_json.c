@@ -1,8 +1,8 @@
 #include "cmd/pass_json.h"
-#include "scene/glsl_log.h"
+#include "source/glsl_log.h"
 
 #include "base/json.h"
-#include "scene/glsl_uniforms.h"
+#include "source/glsl_uniforms.h"
 
 #include <stdlib.h>
 

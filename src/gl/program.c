@@ -1,5 +1,5 @@
 #include "gl/program.h"
-#include "scene/glsl_log.h"
+#include "source/glsl_log.h"
 
 #include "base/lines.h"
 #include "base/memory.h"

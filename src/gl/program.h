@@ -5,7 +5,7 @@
 
 #include "gl/context.h"
 #include "gl/uniforms.h"
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 #include <stdio.h>
 

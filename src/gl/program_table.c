@@ -1,7 +1,7 @@
 #include "gl/program_table.h"
 
 #include "base/memory.h"
-#include "scene/glsl_uniforms.h"
+#include "source/glsl_uniforms.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gl/gl_api.h"
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 /* A uniform that the compiler kept. */
 typedef struct ProgramUniform {

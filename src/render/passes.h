@@ -4,8 +4,8 @@
 
 #include "gl/resource.h"
 #include "render/plan.h"
-#include "scene/glsl_slots.h"
 #include "sky/frame.h"
+#include "source/glsl_slots.h"
 
 /* The kinds of tables that a picture may have, each after its inputs. The list ends with NULL. */
 extern const ResourceKind *const picture_tables[];

@@ -4,9 +4,9 @@
 
 #include "choice/method.h"
 #include "gl/context.h"
-#include "scene/glsl_source.h"
 #include "scene/scene.h"
 #include "sky/sky_orders_plan.h"
+#include "source/glsl_source.h"
 
 #include <stdint.h>
 

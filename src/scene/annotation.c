@@ -4,8 +4,8 @@
 #include "base/lines.h"
 #include "scene/annotation_hints.h"
 #include "scene/annotation_parameters.h"
-#include "scene/glsl_blocks.h"
 #include "scene/setting.h"
+#include "source/glsl_blocks.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 #include "scene/hint_glsl.h"
 
-#include "scene/glsl_log.h"
-#include "scene/glsl_scan.h"
+#include "source/glsl_log.h"
+#include "source/glsl_scan.h"
 
 /* Puts the place of a line of the text in front of the error. */
 static bool fail_at(const GlslSource *source, int line, Error *error) {

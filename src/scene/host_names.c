@@ -1,7 +1,7 @@
 #include "scene/host_names.h"
 
-#include "scene/glsl_scan.h"
-#include "scene/glsl_uniforms.h"
+#include "source/glsl_scan.h"
+#include "source/glsl_uniforms.h"
 
 #include <dirent.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* The names of the host's uniforms, as the library's pass/ folder declares them. */
 #pragma once
 
-#include "scene/source_store.h"
+#include "source/source_store.h"
 
 /* Whether a file of pass/ declares a uniform of that name; `path` gets that file's name, "pass/trace.glsl". A
  * library without that folder declares none. */

@@ -1,8 +1,8 @@
 #include "scene/scene_facts.h"
 
 #include "base/memory.h"
-#include "scene/glsl_materials.h"
-#include "scene/glsl_scan.h"
+#include "source/glsl_materials.h"
+#include "source/glsl_scan.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/text.h"
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 /* Shadertoy's inputs. */
 typedef enum SceneInput { INPUT_RESOLUTION, INPUT_TIME, INPUT_FRAME, INPUT_MOUSE, SCENE_INPUTS } SceneInput;

@@ -1,7 +1,7 @@
 /* Spheres from a CSV file. */
 #pragma once
 
-#include "scene/source_store.h"
+#include "source/source_store.h"
 
 /* Rows `x,y,z,radius` in metres, in any number of columns more; empty lines, # comments and a header line
  * that starts with x are passed over. `spheres` gets 4 floats each, to be freed. STATUS_SCENE with

@@ -1,7 +1,7 @@
 /* The inputs of Shadertoy programs, and the names that other sites and editors give them. */
 #pragma once
 
-#include "scene/glsl_tokens.h"
+#include "source/glsl_tokens.h"
 
 typedef struct ToyInput {
     const char *name, *type;

@@ -2,9 +2,9 @@
  * declares, the variables that it writes, and its entry function. */
 #pragma once
 
-#include "scene/glsl_tokens.h"
 #include "scene/scene_file.h"
-#include "scene/text_edits.h"
+#include "source/glsl_tokens.h"
+#include "source/text_edits.h"
 
 typedef struct ToyInterface {
     const SceneFile *file;

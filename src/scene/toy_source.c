@@ -1,9 +1,9 @@
 #include "scene/toy_source.h"
 
-#include "scene/glsl_tokens.h"
-#include "scene/glsl_zero.h"
-#include "scene/text_edits.h"
 #include "scene/toy_interface.h"
+#include "source/glsl_tokens.h"
+#include "source/glsl_zero.h"
+#include "source/text_edits.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -6,7 +6,7 @@
  * - gl_FragColor, texture2D() and iGlobalTime have the names of today;
  * - main() and what it writes to an `out` variable are called by glsl/pass/shadertoy.glsl;
  * - uniforms that the file declares itself get the values of Shadertoy's inputs (scene/toy_input.h);
- * - variables that the file does not set are 0 (scene/glsl_zero.h). */
+ * - variables that the file does not set are 0 (source/glsl_zero.h). */
 #pragma once
 
 #include "scene/scene_file.h"

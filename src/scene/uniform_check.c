@@ -1,8 +1,8 @@
 #include "scene/uniform_check.h"
 
-#include "scene/glsl_scan.h"
-#include "scene/glsl_uniforms.h"
 #include "scene/host_names.h"
+#include "source/glsl_scan.h"
+#include "source/glsl_uniforms.h"
 
 #include <ctype.h>
 #include <string.h>

@@ -3,8 +3,8 @@
  * direction, for one air, one observer and one position of the sun. */
 #pragma once
 
-#include "scene/glsl_slots.h"
 #include "sky/orders.h"
+#include "source/glsl_slots.h"
 
 /* The nodes of the observer's rays; the further light; and the ground's light alone, which takes its place if
  * the air has one order. The last two have the same sampler, and no frame wants both. */

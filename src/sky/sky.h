@@ -2,9 +2,9 @@
 #pragma once
 
 #include "gl/resource.h"
-#include "scene/glsl_slots.h"
 #include "sky/frame.h"
 #include "sky/observer.h"
+#include "source/glsl_slots.h"
 
 /* Fills <sky>, <sums>, <absorber>, <gauss-nodes> and the slots of sky/sky_spectrum.h. Without ozone the files
  * leave it out. */

@@ -3,7 +3,7 @@
 
 #include "gl/uniforms.h"
 #include "scene/atmosphere.h"
-#include "scene/glsl_slots.h"
+#include "source/glsl_slots.h"
 
 /* Fills <spectrum>, <bands>, <sums-add>, <light-sums>, <shade> and <root>. */
 void sky_spectrum_slots(SlotList *slots, const Atmosphere *atmosphere);

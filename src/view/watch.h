@@ -2,7 +2,7 @@
  * files again and again. This works on every file system, and however an editor saves. */
 #pragma once
 
-#include "scene/source_store.h"
+#include "source/source_store.h"
 
 typedef struct WatchedFile WatchedFile;
 

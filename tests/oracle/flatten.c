@@ -2,7 +2,7 @@
  * text is flattened as the program does it; compilers' messages keep naming the GLSL files. Writes the files
  * that it read to CASE.cpp.d, for make. */
 #include "base/file.h"
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* A flattened text for the driver, and the driver's words about it in terms of the files. */
 #pragma once
 
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 /* The text for the driver, to be freed: each #line is made a comment. Mesa forgets which file a #line named,
  * so that lines are counted through the whole text and looked up in it. */

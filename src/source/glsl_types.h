@@ -2,7 +2,7 @@
  * that stand for one of these. */
 #pragma once
 
-#include "scene/glsl_tokens.h"
+#include "source/glsl_tokens.h"
 
 typedef struct GlslTypes {
     /* Of structures and macros; owned. */

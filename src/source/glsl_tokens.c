@@ -1,4 +1,4 @@
-#include "scene/glsl_tokens.h"
+#include "source/glsl_tokens.h"
 
 #include "base/memory.h"
 

@@ -1,4 +1,4 @@
-#include "scene/glsl_slots.h"
+#include "source/glsl_slots.h"
 
 #include "base/memory.h"
 

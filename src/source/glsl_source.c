@@ -1,10 +1,10 @@
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 #include "base/lines.h"
 #include "base/memory.h"
 #include "base/near.h"
-#include "scene/glsl_blocks.h"
-#include "scene/glsl_find.h"
+#include "source/glsl_blocks.h"
+#include "source/glsl_find.h"
 
 #include <dirent.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "scene/text_edits.h"
+#include "source/text_edits.h"
 
 #include "base/memory.h"
 

@@ -1,7 +1,7 @@
-#include "scene/glsl_clash.h"
+#include "source/glsl_clash.h"
 
 #include "base/memory.h"
-#include "scene/glsl_tokens.h"
+#include "source/glsl_tokens.h"
 
 #include <stdio.h>
 #include <stdlib.h>

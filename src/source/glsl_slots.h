@@ -1,7 +1,7 @@
 /* What a flattened text's slots are filled with: a list that grows by name. */
 #pragma once
 
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 /* A zeroed list is empty. It owns its words. */
 typedef struct SlotList {

@@ -1,7 +1,7 @@
-#include "scene/glsl_materials.h"
+#include "source/glsl_materials.h"
 
 #include "base/memory.h"
-#include "scene/glsl_scan.h"
+#include "source/glsl_scan.h"
 
 #include <ctype.h>
 #include <stdio.h>

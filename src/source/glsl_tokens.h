@@ -1,7 +1,7 @@
 /* The tokens of a flattened GLSL text, with their places: comments are none, and directives are marked. */
 #pragma once
 
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 typedef enum GlslTokenKind { GLSL_WORD, GLSL_NUMBER, GLSL_SIGN } GlslTokenKind;
 

@@ -1,4 +1,4 @@
-#include "scene/source_store.h"
+#include "source/source_store.h"
 
 #include "base/lines.h"
 #include "base/memory.h"

@@ -1,4 +1,4 @@
-#include "scene/glsl_find.h"
+#include "source/glsl_find.h"
 
 #include <stdlib.h>
 #include <string.h>

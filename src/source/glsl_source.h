@@ -4,7 +4,7 @@
  *                                  by whatever spelling or link it is named
  *   #include <sky>                 a slot: the file that the host chose for that name
  *   #include <scene>               the same, but always the user's own file, never one of the library's
- *   #include <materials>           written here (scene/glsl_materials.h)
+ *   #include <materials>           written here (source/glsl_materials.h)
  *
  * A file of the user's that is found under the name of one of the library's takes its place everywhere: the
  * library's own files get it too. What is not included is not compiled, and an `#include` between `#if 0` and
@@ -13,8 +13,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "scene/glsl_materials.h"
-#include "scene/source_store.h"
+#include "source/glsl_materials.h"
+#include "source/source_store.h"
 
 typedef struct GlslSlot {
     /* "sky" */

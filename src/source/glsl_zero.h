@@ -2,7 +2,7 @@
  * also in loops' heads and in macros, parameters that are `out`, arrays, and structures. No line is added. */
 #pragma once
 
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 /* Changes the user's files among the source's; `library` is the folder of the others. Arrays outside of
  * functions are set at the start of `function`, which takes nothing. What this cannot express stays as it is:

@@ -1,4 +1,4 @@
-#include "scene/glsl_uniforms.h"
+#include "source/glsl_uniforms.h"
 
 #include "base/memory.h"
 

@@ -1,7 +1,7 @@
-#include "scene/glsl_log.h"
+#include "source/glsl_log.h"
 
 #include "base/lines.h"
-#include "scene/glsl_clash.h"
+#include "source/glsl_clash.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* The uniforms that a flattened text declares. */
 #pragma once
 
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 typedef struct GlslUniform {
     char name[64];

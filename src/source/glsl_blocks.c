@@ -1,4 +1,4 @@
-#include "scene/glsl_blocks.h"
+#include "source/glsl_blocks.h"
 
 #include <ctype.h>
 #include <string.h>

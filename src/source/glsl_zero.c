@@ -1,9 +1,9 @@
-#include "scene/glsl_zero.h"
+#include "source/glsl_zero.h"
 
 #include "base/memory.h"
-#include "scene/glsl_tokens.h"
-#include "scene/glsl_types.h"
-#include "scene/text_edits.h"
+#include "source/glsl_tokens.h"
+#include "source/glsl_types.h"
+#include "source/text_edits.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "scene/glsl_types.h"
+#include "source/glsl_types.h"
 
 #include "base/memory.h"
 

@@ -1,6 +1,6 @@
-#include "scene/glsl_scan.h"
+#include "source/glsl_scan.h"
 
-#include "scene/glsl_blocks.h"
+#include "source/glsl_blocks.h"
 
 #include <ctype.h>
 #include <stdio.h>

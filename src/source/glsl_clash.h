@@ -1,7 +1,7 @@
 /* Names that two files of a text have for different things: the driver names one of the places. */
 #pragma once
 
-#include "scene/glsl_source.h"
+#include "source/glsl_source.h"
 
 typedef struct GlslClash {
     char name[80];

@@ -1,7 +1,7 @@
 /* Which file an #include means. */
 #pragma once
 
-#include "scene/source_store.h"
+#include "source/source_store.h"
 
 #include <stdbool.h>
 
