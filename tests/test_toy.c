@@ -176,7 +176,8 @@ static void test_interrupt(void **state) {
         /* A GPU may be done by then. */
         if (status != 130 || took > 1.5)
             print_message("%s: status %d after %.1f s\n", ways[i][0], status, took);
-        assert_true(took < 2.5 && (status == 130 || took < 1));
+        /* The compilation takes more than four seconds. */
+        assert_true(took < 3.5 && (status == 130 || took < 1));
     }
     assert_int_not_equal(access(support_path("slow.exr"), F_OK), 0);
 }
