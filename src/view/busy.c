@@ -70,8 +70,8 @@ bool busy_run(Busy *busy, WorkerTask *task, void *data, Error *error) {
         double now = clock_seconds();
         window_poll(busy->window, 0);
         bool stops = busy->params->stop && busy->params->stop();
-        if (!wished && (stops || window_wants_end(busy->window))) wished = now;
-        if (wished && now > wished + leave_s) busy->params->leave(stops);
+        if (wished <= 0 && (stops || window_wants_end(busy->window))) wished = now;
+        if (wished > 0 && now > wished + leave_s) busy->params->leave(stops);
         if (!ok || now < start + patience_s || now < shown + interval_s) continue;
         shown = now;
         ok = show(busy, now - start, error);

@@ -2,7 +2,7 @@
 CASES := $(patsubst %.glsl,$(BUILD)/%,$(wildcard tests/oracle/cases/*.glsl))
 $(BUILD)/tests/test_oracle: $(BUILD)/tests/oracle/oracle.o $(CASES:%=%_float.o) $(CASES:%=%_double.o)
 
-$(BUILD)/tests/oracle/flatten: $(addprefix $(BUILD)/,tests/oracle/flatten.o $(addprefix src/scene/,glsl_source.o glsl_find.o glsl_blocks.o glsl_materials.o glsl_scan.o source_store.o)) $(BASE) $(KEEP)
+$(BUILD)/tests/oracle/flatten: $(BUILD)/tests/oracle/flatten.o $(filter $(BUILD)/src/source/%,$(OBJECTS)) $(BASE) $(KEEP)
 	@echo link $@
 	@$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^
 
