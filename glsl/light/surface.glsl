@@ -1,3 +1,4 @@
+#include "math/finite.glsl"
 #include "scene.glsl"
 
 // What a light method asks of a scene and its materials.
@@ -42,9 +43,13 @@ const float SURFACE_LEAST_IOR = 0.1;
 // more than all. The light of a lamp may be of any strength, so it is taken from scene_material() itself (emission/met.glsl).
 Material surface_material(Hit hit) {
     Material material = scene_material(hit);
-    material.color = clamp(material.color, 0.0, 1.0);
-    material.roughness = clamp(material.roughness, 0.0, 1.0);
-    material.ior = max(material.ior, SURFACE_LEAST_IOR);
+    // What is no number stays so, for the sample to be left out and counted. clamp() would hide it.
+    vec3 numbers = vec3(material.roughness, material.ior, 0.0);
+    if (is_finite(material.color) && is_finite(numbers)) {
+        material.color = clamp(material.color, 0.0, 1.0);
+        material.roughness = clamp(material.roughness, 0.0, 1.0);
+        material.ior = max(material.ior, SURFACE_LEAST_IOR);
+    }
     material.ior = hit.inside ? 1.0 / material.ior : material.ior;
     return material;
 }

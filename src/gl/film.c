@@ -52,6 +52,10 @@ void film_destroy(Film *film) {
     *film = (Film){0};
 }
 
+void film_clear_next(Film *film) {
+    target_clear_back(&film->target);
+}
+
 void film_reset(Film *film) {
     /* The next pass draws every pixel of the back, or it is copied from the front. */
     target_clear_front(&film->target);

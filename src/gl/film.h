@@ -82,6 +82,9 @@ void film_destroy(Film *film);
 /* Removes all samples. */
 void film_reset(Film *film);
 
+/* Empties what the next pass draws into. It matters if not all of it is drawn. */
+void film_clear_next(Film *film);
+
 /* Starts a pass: the back side is drawn into, and pass/film.glsl reads the front side's textures. The program
  * must be in use. Any number of draws may follow, each on rows of its own. */
 void film_begin(Film *film, const Program *program);

@@ -68,6 +68,10 @@ void target_clear_front(Target *target) {
     clear_side(target, target->front);
 }
 
+void target_clear_back(Target *target) {
+    clear_side(target, 1 - target->front);
+}
+
 void target_begin(const Target *target, const Program *program, const char *const *names) {
     const GlApi *gl = target->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer[1 - target->front]);

@@ -25,8 +25,9 @@ void target_destroy(Target *target);
 /* Sets both sides to zero. */
 void target_clear(Target *target);
 
-/* The same for the front side alone. */
+/* The same for one side alone. */
 void target_clear_front(Target *target);
+void target_clear_back(Target *target);
 
 /* The back side becomes what is drawn into. The front side's texture i becomes the sampler names[i] of the
  * program, which must be in use. A texture whose name is NULL is not read. */

@@ -264,10 +264,11 @@ bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Err
     Rectangle all = {0, 0, film->width, film->height};
     unsigned group =
         samples < renderer->plan.group_samples ? (unsigned)samples : renderer->plan.group_samples;
+    /* Of a first group that is stopped the finished rows are kept, and the others must be empty. */
+    if (!film->samples && stop) film_clear_next(film);
     bool stopped = !draw_group(renderer, &all, 1, group, stop);
-    if (!gl_check(renderer->gl, "drawing a pass", error)) return false;
     if (!stopped || film->samples == 0) film_commit(film, group);
-    return true;
+    return gl_check(renderer->gl, "drawing a pass", error);
 }
 
 bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, unsigned samples,
