@@ -265,6 +265,22 @@ void desktop_expect_number(Desktop *desktop, const char *name, double low, doubl
     show_end(desktop, wanted);
 }
 
+double desktop_expect_pair(Desktop *desktop, const char *name, double low, const char *other, double *value) {
+    double found;
+    for (double end = clock_seconds() + patience_s; clock_seconds() < end; pause_ms(5)) {
+        read_log(desktop);
+        const char *line = text_string(&desktop->log) + desktop->news;
+        for (const char *next; (next = strchr(line, '\n')); line = next + 1) {
+            size_t length = (size_t)(next - line);
+            if (number_in(line, length, name, &found) && found >= low &&
+                number_in(line, length, other, value))
+                return found;
+        }
+    }
+    show_end(desktop, name);
+    return 0;
+}
+
 /* The window hears events in their order, and shows three frames after each. A key without a meaning that is
  * pressed now is therefore heard after what was done before, and three more frames are sure to come, even at
  * rest. Of these, the first may have been on its way, the second hears all, and the third has its figures. */

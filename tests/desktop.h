@@ -45,6 +45,10 @@ const char *desktop_expect(Desktop *desktop, const char *words, const char *more
 /* Waits for a frame whose number `name` is in [low, high], and has the words. */
 void desktop_expect_number(Desktop *desktop, const char *name, double low, double high);
 
+/* Waits for a frame whose number `name` is at least `low`, returns it, and gives another number of that
+ * frame. */
+double desktop_expect_pair(Desktop *desktop, const char *name, double low, const char *other, double *value);
+
 /* Waits until all that was done has been heard and its answer is on the screen. Returns the number of the
  * first frame whose line in the log is sure to be later. */
 double desktop_settle(Desktop *desktop);

@@ -61,6 +61,14 @@ static bool show(Busy *busy, double seconds, Error *error) {
     return true;
 }
 
+/* Ends the program in the midst of the work. */
+static void leave(const Busy *busy, bool stopped) {
+    log_begin("end");
+    log_text("message", "");
+    log_end();
+    busy->params->leave(stopped);
+}
+
 bool busy_run(Busy *busy, WorkerTask *task, void *data, Error *error) {
     double start = clock_seconds(), shown = start, wished = 0;
     bool ok = true;
@@ -71,7 +79,7 @@ bool busy_run(Busy *busy, WorkerTask *task, void *data, Error *error) {
         window_poll(busy->window, 0);
         bool stops = busy->params->stop && busy->params->stop();
         if (wished <= 0 && (stops || window_wants_end(busy->window))) wished = now;
-        if (wished > 0 && now > wished + leave_s) busy->params->leave(stops);
+        if (wished > 0 && now > wished + leave_s) leave(busy, stops);
         if (!ok || now < start + patience_s || now < shown + interval_s) continue;
         shown = now;
         ok = show(busy, now - start, error);

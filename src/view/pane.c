@@ -225,7 +225,9 @@ static bool check_values(Pane *pane, const PaneParams *params, const RenderParam
     Text lines = {0};
     if (pane->checked || pane->preview_samples || pane->renderer.film.samples < CHECK_SAMPLES) return true;
     pane->checked = true;
-    if (!check_scene(&check, params->context, wanted, &pane->renderer, error)) return false;
+    /* In the midst of an edit a file may be gone. Reading it anew says so, and what is shown may stay. */
+    if (!check_scene(&check, params->context, wanted, &pane->renderer, error))
+        return error->status == STATUS_SCENE;
     check_print(&check, NULL, &lines);
     snprintf(pane->wrong, sizeof pane->wrong, "%s", text_string(&lines));
     text_free(&lines);
