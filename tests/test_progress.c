@@ -199,7 +199,6 @@ static void test_terminal(void **state) {
         {"render scenes/crater.glsl --size 64x64 --time 1 --sky uniform -o /dev/null", "samples, "},
         {"sky --sky paper:100x20 --size 128x64 -o /dev/null", "map"},
         {"explain scenes/furnace.glsl --size 16x16", "the picture itself"},
-        {"explain scenes/furnace.glsl --size 16x16", "Rayleigh scattering"},
     };
     need_gl();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
