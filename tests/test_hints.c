@@ -105,6 +105,16 @@ static void test_refused(void **state) {
         {"const int EMITTER_SPHERES = 1;\nvec4 emitter_sphere(int i) { return vec4(1.0); }\n"
          "//@ emitter-sphere 0 0 0 1\n",
          "hint.glsl:3: emitter-sphere: the scene defines emitter_sphere() itself"},
+        {"//@ portal 0 1 0 90 0 2\n",
+         "hint.glsl:1: portal needs x y z, the azimuth and the elevation that it faces, width and height"},
+        {"//@ portal 0 1 0 90 0 2 0\n",
+         "hint.glsl:1: portal: '0' is neither a number above 0 nor a slider's"},
+        {"\n//@ portal 0 1 0 90 0 -wide 1\nuniform float wide; //@ slider 1\n",
+         "hint.glsl:2: portal: '-wide' is neither a number above 0 nor a slider's name"},
+        {"//@ portal 0 1 0 east 0 2 1\n", "hint.glsl:1: portal: 'east' is neither a number nor a slider's"},
+        {"const int SCENE_PORTALS = 1;\n", "hint.glsl:1: SCENE_PORTALS needs `mat3 scene_portal(int i)`"},
+        {"mat3 scene_portal(int i) { return mat3(1.0); }\n",
+         "hint.glsl:1: scene_portal() needs `const int SCENE_PORTALS = NUMBER;`"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Scene scene;

@@ -14,6 +14,7 @@ ORACLE_CASE(crater_paper);
 ORACLE_CASE(crater_uniform);
 ORACLE_CASE(distance);
 ORACLE_CASE(emission);
+ORACLE_CASE(rectangle);
 ORACLE_CASE(gauss);
 ORACLE_CASE(lobe_cosine);
 ORACLE_CASE(lobe_paper);
@@ -340,6 +341,34 @@ static void test_emission(void **state) {
     context_close(&context);
 }
 
+/* Directions through a rectangle, and its solid angle: near and far, flat and upright. Where it is drawn by
+ * area or by solid angle is a jump. In its plane a rounding of the place moves it in or out of sight. */
+static void test_rectangle(void **state) {
+    static const OracleQuantity quantities[] = {
+        {"direction x", .result = 0, .condition = 3, .floor = 1, .rms = 1e-6, .worst = 1e-4, .jump = 1e-2,
+         .most_set_aside = 0.05},
+        {"direction y", .result = 1, .condition = 3, .floor = 1, .rms = 1e-6, .worst = 1e-4, .jump = 1e-2,
+         .most_set_aside = 0.05},
+        {"solid angle", .result = 4, .condition = 3, .floor = 1, .rms = 1e-6, .worst = 1e-5,
+         .most_set_aside = 0.05},
+        {"density", .result = 5, .condition = 3, .floor = 1, .rms = 3e-6, .worst = 1e-4, .jump = 1e-2,
+         .most_set_aside = 0.05},
+        {"density of the drawn", .result = 7, .condition = 3, .floor = 1, .rms = 3e-6, .worst = 1e-4,
+         .jump = 1e-2, .most_set_aside = 0.05},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *a = inputs + 8 * i, *at = a + 4;
+        for (int c = 0; c < 2; c++) a[c] = (float)random_unit();
+        a[2] = (float)(360 * random_unit());
+        a[3] = (float)(180 * random_unit() - 90);
+        for (int c = 0; c < 3; c++) at[c] = (float)((i % 2 ? 2 : 10) * (2 * random_unit() - 1));
+        at[3] = (float)(0.2 + 3 * random_unit());
+    }
+    oracle_compare(&context, ORACLE(rectangle), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
 /* Alhazen's point, at the sphere and far from it. */
 static void test_mirror_sphere(void **state) {
     static const OracleQuantity quantities[] = {
@@ -540,7 +569,8 @@ int main(void) {
         cmocka_unit_test(test_lobes),     cmocka_unit_test(test_mirror_sphere),
         cmocka_unit_test(test_sequences), cmocka_unit_test(test_checker),
         cmocka_unit_test(test_material),  cmocka_unit_test(test_spheres),
-        cmocka_unit_test(test_emission),  cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_emission),  cmocka_unit_test(test_rectangle),
+        cmocka_unit_test(test_paths),
     };
     return cmocka_run_group_tests_name("oracle", tests, support_folder, support_clean);
 }

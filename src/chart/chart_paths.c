@@ -61,6 +61,7 @@ static void choose_curves(Paths *paths) {
     if (control) add_light(paths, "control", 0, true);
     add_light(paths, "mis", 1, false);
     add_light(paths, "cosine", 2, !control);
+    if (scene_hint_count(picture->scene, HINT_PORTAL)) add_light(paths, "portal", 3, false);
     for (int i = 0; integrates && i < 7; i++) {
         add(paths, &(Drawn){.combination = {skies[i], "cosine", "sobol", false},
                             .panels = PANEL_SKIES,

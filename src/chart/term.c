@@ -142,27 +142,15 @@ static void disk_turn(const Term *term, Variation *variation, bool on) {
     variation->params.sun_disk = on ? "auto" : "off";
 }
 
-/* If the term is off, only random bounces look for this light, and they find nearly none of it. */
-static TermState caustic_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
-    (void)term;
-    return state_of(has_disk(renderer) && scene_hint_count(params->scene, HINT_MIRROR_SPHERE) > 0, true);
+/* Sunlight by way of the mirrors that hints of a kind name. If the term is off, only random bounces look for
+ * this light, and they find nearly none of it. */
+static TermState mirrors_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    return state_of(has_disk(renderer) && scene_hint_count(params->scene, (HintKind)term->number) > 0, true);
 }
 
-static void caustic_turn(const Term *term, Variation *variation, bool on) {
-    (void)term;
+static void hint_turn(const Term *term, Variation *variation, bool on) {
     (void)on;
-    variation->scene.values.ignored_hints |= 1U << HINT_MIRROR_SPHERE;
-}
-
-static TermState planes_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
-    (void)term;
-    return state_of(has_disk(renderer) && scene_hint_count(params->scene, HINT_MIRROR_PLANE) > 0, true);
-}
-
-static void planes_turn(const Term *term, Variation *variation, bool on) {
-    (void)term;
-    (void)on;
-    variation->scene.values.ignored_hints |= 1U << HINT_MIRROR_PLANE;
+    variation->scene.values.ignored_hints |= 1U << term->number;
 }
 
 static TermState hits_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
@@ -220,6 +208,17 @@ static void sampling_turn(const Term *term, Variation *variation, bool on) {
     variation->params.light = on ? "mis" : "cosine";
 }
 
+static TermState portals_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
+    (void)term;
+    return state_of(scene_hint_count(params->scene, HINT_PORTAL) > 0,
+                    renderer->plan.light.method->samples_portals);
+}
+
+static void portals_turn(const Term *term, Variation *variation, bool on) {
+    (void)term;
+    variation->params.light = on ? "portal" : "cosine";
+}
+
 static TermState sequence_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)term;
     (void)params;
@@ -232,15 +231,8 @@ static void sequence_turn(const Term *term, Variation *variation, bool on) {
 }
 
 static TermState emitters_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
-    (void)term;
     (void)renderer;
-    return state_of(scene_hint_count(params->scene, HINT_EMITTER_SPHERE) > 0, true);
-}
-
-static void emitters_turn(const Term *term, Variation *variation, bool on) {
-    (void)term;
-    (void)on;
-    variation->scene.values.ignored_hints |= 1U << HINT_EMITTER_SPHERE;
+    return state_of(scene_hint_count(params->scene, (HintKind)term->number) > 0, true);
 }
 
 /* The terms that are checkboxes of the scene. */
@@ -262,8 +254,8 @@ static const Term terms[] = {
     {"light from the ground", false, ground_state, ground_turn, 0},
     {"colours from a spectrum", false, spectrum_state, spectrum_turn, 0},
     {"the sun's disk", false, disk_state, disk_turn, 0},
-    {"sunlight off mirror spheres", false, caustic_state, caustic_turn, 0},
-    {"sunlight off flat mirrors", false, planes_state, planes_turn, 0},
+    {"sunlight off mirror spheres", false, mirrors_state, hint_turn, HINT_MIRROR_SPHERE},
+    {"sunlight off flat mirrors", false, mirrors_state, hint_turn, HINT_MIRROR_PLANE},
     {"hits beyond the first", false, hits_state, hits_turn, 1},
     {"hits beyond the second", false, hits_state, hits_turn, 2},
     {"hits beyond the fourth", false, hits_state, hits_turn, 4},
@@ -276,7 +268,8 @@ static const Term terms[] = {
     {"the sky without a table", false, direct_state, direct_turn, 0},
     {"control variate, toward bounds", true, control_state, control_turn, 0},
     {"sky light sampling (mis)", true, sampling_state, sampling_turn, 0},
-    {"looking for emitters", true, emitters_state, emitters_turn, 0},
+    {"sky light by way of portals", true, portals_state, portals_turn, 0},
+    {"looking for emitters", true, emitters_state, hint_turn, HINT_EMITTER_SPHERE},
     {"low-discrepancy sequence", true, sequence_state, sequence_turn, 0},
 };
 enum { TERMS = sizeof terms / sizeof *terms };

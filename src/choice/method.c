@@ -96,6 +96,13 @@ static const Method methods[] = {
      .about = "bounces by the material or toward the bright sky, by multiple importance sampling",
      .needs_sky_sampler = true},
     {.family = METHOD_LIGHT,
+     .name = "portal",
+     .file = "light/portal.glsl",
+     .about =
+         "as cosine, and each hit sends a ray to the sky by way of one of the scene's portals, by multiple "
+         "importance sampling",
+     .samples_portals = true},
+    {.family = METHOD_LIGHT,
      .name = "paper",
      .file = "light/paper.glsl",
      .about =

@@ -55,7 +55,10 @@ typedef struct Method {
     bool needs_sky_sampler;
     /* A light: at each hit it loops over the scene's bounds. */
     bool loops_over_bounds;
-    /* A light: how often a path evaluates the sky, beside once at its end. */
+    /* A light: each hit sends a ray to the sky by way of one of the scene's portals, and looks the sky up. */
+    bool samples_portals;
+    /* A light: how often a path evaluates the sky, beside once at its end and at each hit that looks for it.
+     */
     int extra_sky_lookups;
 
     /* A sequence: its points are more even than independent ones. */

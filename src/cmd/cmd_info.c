@@ -60,7 +60,7 @@ static void print_atmosphere(const Atmosphere *atmosphere, const Atmosphere *unl
 static void print_hint(const Scene *scene, HintKind kind, int index) {
     const HintInfo *info = hint_info(kind);
     const Hint *hint = &scene->file->hints[kind].list[index];
-    double now[4], number;
+    double now[MOST_HINT_NUMBERS], number;
     bool named = false;
     printf("  %s", info->key);
     for (int i = 0; i < info->components; i++) {

@@ -62,6 +62,7 @@ static void scene_slots(SlotList *slots, const Plan *plan, const Scene *scene) {
     hint_slot(slots, "mirror-spheres", scene, HINT_MIRROR_SPHERE);
     hint_slot(slots, "mirror-planes", scene, HINT_MIRROR_PLANE);
     hint_slot(slots, "emitter-spheres", scene, HINT_EMITTER_SPHERE);
+    hint_slot(slots, "portals", scene, HINT_PORTAL);
 }
 
 /* One list of slots serves all programs: an entry file uses the slots that it names. */

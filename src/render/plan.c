@@ -36,13 +36,21 @@ static bool looks_for(const Plan *plan, HintKind kind) {
         return plan->sun.method->samples_disk;
     case HINT_EMITTER_SPHERE:
         return plan->needs.emits;
+    case HINT_PORTAL:
+        return plan->light.method->samples_portals;
     case HINT_KINDS:
         break;
     }
     return false;
 }
 
-/* The loop iterations at one hit, including the searches of its rays and the loops over hints. */
+/* The loop iterations of one evaluation of the sky. */
+static long sky_iterations(const Plan *plan) {
+    return plan->sky.table ? 0 : plan->sky.iterations;
+}
+
+/* The loop iterations at one hit, including the searches of its rays, the loops over hints, and the sky where
+ * the hit looks for it. */
 static long hit_iterations(const Plan *plan, const Scene *scene) {
     long rays = 1 + (plan->sun.method->samples_disk ? 1 : 0), loops = 0;
     for (int i = 0; i < HINT_KINDS; i++) {
@@ -57,6 +65,7 @@ static long hit_iterations(const Plan *plan, const Scene *scene) {
     if (looks_for(plan, HINT_BOUND) && looks_for(plan, HINT_EMITTER_SPHERE) &&
         scene_hint_count(scene, HINT_EMITTER_SPHERE))
         loops += scene_hint_count(scene, HINT_BOUND);
+    if (looks_for(plan, HINT_PORTAL)) loops += sky_iterations(plan);
     return 1 + rays * plan->needs.search_iterations + loops;
 }
 
@@ -65,7 +74,7 @@ static long hit_iterations(const Plan *plan, const Scene *scene) {
 static bool choose_group(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
     const MethodChoice *sky = &plan->sky;
     long limit, hit = hit_iterations(plan, params->scene);
-    long others = 1 + (sky->table ? 0 : sky->iterations) * (1 + plan->light.method->extra_sky_lookups);
+    long others = 1 + sky_iterations(plan) * (1 + plan->light.method->extra_sky_lookups);
     long iterations = others + (plan->max_hits + 1L) * hit;
     bool small = MOST_GROUP_SAMPLES * iterations <= LEAST_LOOP_LIMIT && sky->iterations <= LEAST_LOOP_LIMIT;
     plan->group_samples = MOST_GROUP_SAMPLES;

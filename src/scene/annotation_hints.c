@@ -69,13 +69,13 @@ static bool check_hints(const SceneFile *file, HintKind kind, Error *error) {
         const Hint *hint = &file->hints[kind].list[i / info->components];
         int component = i % info->components;
         const char *word = hint->words[component];
-        bool radius = component == 3;
+        bool length = component >= info->lengths_from;
         double number;
-        if (find_slider(file, word + (*word == '-' && !radius)) ||
-            (number_parse(word, &number) && (!radius || number > 0)))
+        if (find_slider(file, word + (*word == '-' && !length)) ||
+            (number_parse(word, &number) && (!length || number > 0)))
             continue;
         return error_set(error, STATUS_SCENE, "%s:%d: %s: '%s' is neither a %s nor a slider's name",
-                         file->path, hint->line, info->key, word, radius ? "number above 0" : "number");
+                         file->path, hint->line, info->key, word, length ? "number above 0" : "number");
     }
     return true;
 }

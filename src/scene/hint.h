@@ -8,12 +8,13 @@
 
 #include <stdbool.h>
 
-/* The bounds of what may block the sky, the mirrors, and what emits light. */
+/* The bounds of what may block the sky, the mirrors, what emits light, and the openings to the sky. */
 typedef enum HintKind {
     HINT_BOUND,
     HINT_MIRROR_SPHERE,
     HINT_MIRROR_PLANE,
     HINT_EMITTER_SPHERE,
+    HINT_PORTAL,
     HINT_KINDS
 } HintKind;
 
@@ -23,10 +24,15 @@ typedef struct HintInfo {
     /* What the annotation needs, for errors. */
     const char *needs;
     /* How many numbers make one hint: 4 are a sphere's x, y, z and radius in metres, 2 are the azimuth and
-     * the elevation in degrees that a flat mirror faces. */
+     * the elevation in degrees that a flat mirror faces, 7 are a portal's x, y, z in metres, the two angles
+     * that it faces, and its width and height in metres. */
     int components;
+    /* The first of them that must be above 0, a length; those behind it must be too. */
+    int lengths_from;
     /* The GLSL constant that holds their number, and the function of an int that returns one of them. */
     const char *constant, *function;
+    /* What the function returns, and the GLSL function that makes it from the numbers. */
+    const char *type, *maker;
     /* What hints of the kind cost at a hit that looks for them: rays, and iterations of loops beside those of
      * the rays, for all of them and for each. */
     int rays, loops, loops_each;
@@ -34,11 +40,11 @@ typedef struct HintInfo {
 
 const HintInfo *hint_info(HintKind kind);
 
-enum { MOST_HINTS = 16 };
+enum { MOST_HINTS = 16, MOST_HINT_NUMBERS = 7 };
 
 /* One annotation: each word is a number or a slider's name, which may have a minus before it. */
 typedef struct Hint {
-    char words[4][64];
+    char words[MOST_HINT_NUMBERS][64];
     int line;
 } Hint;
 

@@ -23,8 +23,7 @@ static bool find_kind(SceneFile *file, const GlslSource *source, const GlslScan 
         return fail_at(source, function, error);
     }
     if (!function) {
-        error_set(error, STATUS_SCENE, "%s needs `vec%d %s(int i)`", info->constant, info->components,
-                  info->function);
+        error_set(error, STATUS_SCENE, "%s needs `%s %s(int i)`", info->constant, info->type, info->function);
         return fail_at(source, constant, error);
     }
     if (count < 0 || count > MOST_HINTS) {

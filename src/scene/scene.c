@@ -95,9 +95,9 @@ int scene_hint_count(const Scene *scene, HintKind kind) {
     return scene->values.ignored_hints & 1U << kind ? 0 : scene->file->hints[kind].count;
 }
 
-void scene_hint(const Scene *scene, HintKind kind, int index, double out[4]) {
+void scene_hint(const Scene *scene, HintKind kind, int index, double out[MOST_HINT_NUMBERS]) {
     const Hint *hint = &scene->file->hints[kind].list[index];
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < MOST_HINT_NUMBERS; i++)
         out[i] = i < hint_info(kind)->components ? number_of(scene, hint->words[i]) : 0;
 }
 

@@ -41,7 +41,7 @@ int scene_hint_count(const Scene *scene, HintKind kind);
 
 /* One annotated hint's numbers, with the sliders as they are. Hints that the scene defines in GLSL are known
  * to the GPU alone (render/hints.h). */
-void scene_hint(const Scene *scene, HintKind kind, int index, double out[4]);
+void scene_hint(const Scene *scene, HintKind kind, int index, double out[MOST_HINT_NUMBERS]);
 
 /* How many spheres the GLSL function scene_sphere() makes, with the sliders as they are; -1 where they come
  * from a file. */

@@ -71,9 +71,9 @@ SunImage sun_image(const Frame *frame) {
     SunDisk disk = disk_of(scene);
     add_rectangle(&image, camera_cone_rectangle(camera, disk.middle, disk.radius));
     for (int i = 0; i < scene_hint_count(scene, HINT_MIRROR_SPHERE); i++) {
-        double sphere[4], direction[3];
+        double sphere[MOST_HINT_NUMBERS], direction[3];
         if (frame->mirrors)
-            memcpy(sphere, frame->mirrors[i], sizeof sphere);
+            memcpy(sphere, frame->mirrors[i], sizeof frame->mirrors[i]);
         else
             scene_hint(scene, HINT_MIRROR_SPHERE, i, sphere);
         if (sphere[3] <= 0 || !reflected_toward(camera->eye, sphere, disk.middle, direction)) continue;

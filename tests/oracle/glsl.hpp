@@ -25,6 +25,7 @@ using Real = REAL;
 using vec2 = glm::vec<2, Real>;
 using vec3 = glm::vec<3, Real>;
 using vec4 = glm::vec<4, Real>;
+using mat3 = glm::mat<3, 3, Real>;
 
 // By the bits of a GPU's float, whatever Real is: a double past float's range counts as infinite.
 uint floatBitsToUint(Real v) {
