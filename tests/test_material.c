@@ -82,6 +82,7 @@ typedef struct Measured {
     double pdf_above;  /* over those above the surface */
     double value;      /* integral: the albedo */
     double weight;     /* mean: the albedo too */
+    double most;       /* the largest weight */
 } Measured;
 
 static Measured measure(const Context *context, const char *name, const char *constructor, double incidence,
@@ -118,7 +119,8 @@ static Measured measure(const Context *context, const char *name, const char *co
     double worst = 0;
     for (int i = 0; i < TEXELS; i++) {
         const float *v = results + 4 * i;
-        assert_true(isfinite(v[2]) && v[2] >= 0 && v[2] <= 1.00001f && isfinite(v[3]));
+        assert_true(isfinite(v[2]) && v[2] >= 0 && isfinite(v[3]));
+        measured.most = fmax(measured.most, (double)v[2]);
         worst = fmax(worst, (double)v[3]);
         counts[(int)(fmin((double)v[0], 0.999999) * ACROSS) * AROUND +
                (int)(fmin((double)v[1], 0.999999) * AROUND)]++;
@@ -132,7 +134,7 @@ static Measured measure(const Context *context, const char *name, const char *co
                   constructor, incidence, measured.deviations, measured.pdf, measured.pdf_above,
                   measured.value, measured.weight);
     if (fabs(measured.deviations) > 4 || fabs(measured.pdf - 1) > 2e-3 || measured.pdf_above > 1.002 ||
-        fabs(measured.value - measured.weight) > 4e-3 || measured.weight > 1.00001) {
+        fabs(measured.value - measured.weight) > 4e-3) {
         fail_msg("%s at %g", constructor, incidence);
     }
     return measured;
@@ -145,14 +147,16 @@ static void test_matte(void **state) {
     support_open(&context);
     for (int k = 0; k < 3; k++) {
         Measured measured = measure(&context, "matte", "matte(vec3(0.8, 0.5, 0.25))", incidences[k], 1);
-        assert_true(fabs(measured.weight - 0.8) < 1e-6 && fabs(measured.value - 0.8) < 1e-3);
+        assert_true(measured.most < 0.80001 && fabs(measured.weight - 0.8) < 1e-6 &&
+                    fabs(measured.value - 0.8) < 1e-3);
         assert_true(fabs(measured.pdf_above - 1) < 1e-3);
     }
     context_close(&context);
 }
 
-/* Of a tint of 1, at roughness 1, exactly 1 - c log((1 + c) / c) of the light goes on that comes at cosine c.
- */
+/* All light goes on. A sample is worth more than the light that it stands for, since it also stands for light
+ * that meets several facets: of the light that comes at cosine c, the share 1 - c log((1 + c) / c) meets one
+ * facet only at roughness 1, and a larger share at others. */
 static void test_rough_metal(void **state) {
     (void)state;
     Context context;
@@ -162,8 +166,9 @@ static void test_rough_metal(void **state) {
         char constructor[128];
         snprintf(constructor, sizeof constructor, "rough_metal(vec3(1, 0.5, 0.25), %.4f)", roughness);
         Measured measured = measure(&context, "rough_metal", constructor, incidence, pow(roughness, 4));
-        if (roughness == 1.0) assert_true(fabs(measured.value - (1 - c * log((1 + c) / c))) < 1e-3);
-        if (roughness < 0.1 && incidence < 50) assert_true(measured.weight > 0.9999);
+        assert_true(fabs(measured.value - 1) < 4e-3);
+        assert_true(measured.most > 0.999 && measured.most < 1.0001 / (1 - c * log((1 + c) / c)));
+        if (roughness < 0.1 && incidence < 50) assert_true(fabs(measured.weight - 1) < 1e-3);
     }
     context_close(&context);
 }
@@ -186,34 +191,40 @@ static void test_smooth_metal(void **state) {
     context_close(&context);
 }
 
-/* value / cosine is the same either way. */
-static void expect_reciprocal(const Context *context, const char *name, const char *constructor) {
-    char rest[1024];
+/* value / cosine is the same either way, once it is divided by `reflectance`. This is an expression of the
+ * direction from which the light is looked at, `from`, and of the other one, `to`. */
+static void expect_reciprocal(const Context *context, const char *name, const char *constructor,
+                              const char *reflectance) {
+    char rest[1536];
     snprintf(rest, sizeof rest,
              "vec3 up(float z, float a) {\n"
              "    float r = sqrt(1.0 - z * z);\n"
              "    return r * cos(2.0 * PI * a) * tx + r * sin(2.0 * PI * a) * ty + z * normal;\n}\n"
+             "vec3 reflectance(vec3 from, vec3 to) { return vec3(%s); }\n"
              "vec4 answer(vec2 t) {\n    vec4 r = random(t, 3u);\n"
              "    vec3 a = up(mix(0.02, 1.0, r.x), r.y), b = up(mix(0.02, 1.0, r.z), r.w);\n"
-             "    vec3 there = %s_value(m, normal, -a, b) / dot(b, normal);\n"
-             "    vec3 back = %s_value(m, normal, -b, a) / dot(a, normal);\n"
+             "    vec3 there = %s_value(m, normal, -a, b) / dot(b, normal) / reflectance(a, b);\n"
+             "    vec3 back = %s_value(m, normal, -b, a) / dot(a, normal) / reflectance(b, a);\n"
              "    return vec4(abs(there - back) / max(there, back), 0);\n}",
-             name, name);
+             reflectance, name, name);
     evaluate(context, name, constructor, 0, 1, rest);
     float worst = 0;
     for (int i = 0; i < 4 * TEXELS; i++) worst = fmaxf(worst, results[i]);
     if (!(worst < 1e-3f)) fail_msg("%s: %g", constructor, (double)worst);
 }
 
+/* What light that meets several facets adds to metal depends on the cosine toward the camera. The rest is
+ * the same either way. */
 static void test_reciprocity(void **state) {
     (void)state;
     Context context;
     support_open(&context);
-    expect_reciprocal(&context, "matte", "matte(vec3(0.8, 0.5, 0.25))");
+    expect_reciprocal(&context, "matte", "matte(vec3(0.8, 0.5, 0.25))", "1.0");
     for (int k = 0; k < 4; k++) {
         char constructor[128];
         snprintf(constructor, sizeof constructor, "rough_metal(gold(), %.4f)", roughnesses[k]);
-        expect_reciprocal(&context, "rough_metal", constructor);
+        expect_reciprocal(&context, "rough_metal", constructor,
+                          "rough_metal_reflectance(m, dot(from, normal), sqrt(0.5 + 0.5 * dot(from, to)))");
     }
     context_close(&context);
 }
@@ -258,7 +269,8 @@ static void test_author(void **state) {
         snprintf(constructor, sizeof constructor, "author(vec3(1), %.2f, %.2f, 0.1)", share, roughness);
         Measured measured = measure(&context, "author", constructor, incidence,
                                     share > 0.6 ? roughness * roughness / 4 : 0.25 * roughness);
-        assert_true(fabs(measured.weight - 0.9) < 1e-5 && fabs(measured.pdf_above - 1) < 2e-3);
+        assert_true(measured.most < 0.90001 && fabs(measured.weight - 0.9) < 1e-5 &&
+                    fabs(measured.pdf_above - 1) < 2e-3);
     }
     context_close(&context);
 }
