@@ -5,6 +5,7 @@
 //@ atmosphere earth
 //@ size    512 512
 //@ exposure 3.5
+//@ portal  -2.4 1.5 0  90 0  width 1.2
 //@ preset  noon      sun.elevation 60  exposure 3.5
 //@ preset  sunset    sun.elevation 5   exposure 4
 //@ preset  twilight  sun.elevation -2  exposure 7.5

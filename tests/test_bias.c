@@ -319,6 +319,19 @@ static void test_auto(void **state) {
         }
     }
 
+    /* In a room by its portals, unless the sun itself lights it or there is no table; and never by mis. */
+    for (size_t k = 0; k < sizeof light_suns / sizeof *light_suns; k++) {
+        wish.room = true, wish.bounds = wish.mirrors = wish.shiny = false;
+        wish.sun_elevation_deg = light_suns[k];
+        for (int i = 0; i < 4; i++) {
+            wish.sun_disk = i & 1;
+            sky = choose(i & 2 ? "gauss:8" : NULL, 1, light_suns[k], &atmosphere);
+            assert_true(auto_light(&light, NULL, &sky, &wish, &error));
+            bool portal = !(i & 2) && !(i & 1 && light_suns[k] > 10);
+            assert_string_equal(light.text, portal ? "portal" : "cosine");
+        }
+    }
+
     /* What was not measured is not claimed. */
     atmosphere.mie = 3;
     MethodChoice choice = choose(NULL, 10, 30, &atmosphere);

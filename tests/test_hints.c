@@ -158,11 +158,39 @@ static void test_words(void **state) {
     assert_string_not_equal(same, other);
 }
 
+#define LIT_ROOM(eye, portal)                                                                                \
+    "//@ camera eye " eye " target 0 1 0\n" portal "#include \"material/matte.glsl\"\n"                      \
+    "#include \"shape/plane.glsl\"\nuniform float wide; //@ slider 1\n"                                      \
+    "void scene_intersect(Ray ray, INOUT(Hit) hit) { hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit); }\n"  \
+    "Material scene_material(Hit hit) { return matte(vec3(0.5)); }\n"
+
+/* auto looks through portals if the camera stands where one of them faces. */
+static void test_room(void **state) {
+    (void)state;
+    static const char glsl[] =
+        "const int SCENE_PORTALS = 1;\nmat3 scene_portal(int i) { return mat3(1.0); }\n";
+    char light[64], text[2048];
+    assert_string_equal(light_of(LIT_ROOM("0 1 -2", ""), light, sizeof light), "cosine");
+    assert_string_equal(light_of(LIT_ROOM("0 1 -2", "//@ portal -2 1 0 90 0 wide 1\n"), light, sizeof light),
+                        "portal");
+    assert_string_equal(light_of(LIT_ROOM("-3 1 -2", "//@ portal -2 1 0 90 0 wide 1\n"), light, sizeof light),
+                        "cosine");
+    assert_string_equal(light_of(LIT_ROOM("-3 1 -2", "//@ portal -2 1 0 90 0 wide 1\n"
+                                                     "//@ portal 0 3 0 15 -90 wide 1\n"),
+                                 light, sizeof light),
+                        "portal");
+    assert_string_equal(light_of(LIT_ROOM("0 4 -2", "//@ portal 0 3 0 15 -90 wide 1\n"), light, sizeof light),
+                        "cosine");
+    snprintf(text, sizeof text, "%s%s", LIT_ROOM("-3 1 -2", ""), glsl);
+    assert_string_equal(light_of(text, light, sizeof light), "portal");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_in_glsl),
         cmocka_unit_test(test_refused),
         cmocka_unit_test(test_words),
+        cmocka_unit_test(test_room),
     };
     return cmocka_run_group_tests_name("hints", tests, support_folder, support_clean);
 }

@@ -27,8 +27,9 @@ static const MethodFamilyRow families[METHOD_FAMILIES] = {
                     "gauss:n or a table of it, the cheapest whose bias is within a third of the error asked "
                     "for"},
     [METHOD_LIGHT] = {"--light", "cosine",
-                      "mis for a low sun on more than ground, control with a table of the sky and a scene "
-                      "that has bounds, else cosine"},
+                      "portal in a room with portals that the sun itself does not light, mis for a low sun "
+                      "on more than ground, control with a table of the sky and a scene that has bounds, "
+                      "else cosine"},
     [METHOD_SEQUENCE] = {"--sequence", "sobol", "sobol"},
     [METHOD_SUN] = {"--sun-disk", "sampled", "sampled"},
     [METHOD_FURTHER] = {"--further", "harmonics:10", "harmonics:10"},

@@ -118,6 +118,7 @@ static bool mirrors_alone_block(const Scene *scene) {
 static bool choose_methods(Plan *plan, const RenderParams *params, Error *error) {
     const Scene *scene = params->scene;
     const char *sky = params->sky ? params->sky : scene->file->sky[0] ? scene->file->sky : NULL;
+    if (!sun_choose(&plan->sun, params->sun_disk, scene, error)) return false;
     AutoWish wish = {.error_percent = params->error_percent,
                      .samples = (double)params->samples,
                      .pixels = (double)plan_width(params) * plan_height(params),
@@ -125,6 +126,8 @@ static bool choose_methods(Plan *plan, const RenderParams *params, Error *error)
                      .atmosphere = &scene->values.atmosphere,
                      .bounds = scene_hint_count(scene, HINT_BOUND) > 0,
                      .mirrors = mirrors_alone_block(scene),
+                     .room = scene_is_seen_from_room(scene),
+                     .sun_disk = plan->sun.method->has_disk,
                      .shiny = plan->needs.shiny};
     if (!auto_further(&plan->further, params->further, sky, &wish, error)) return false;
     if (!auto_sky(&plan->sky, sky, &plan->further, &wish, error)) {
@@ -133,8 +136,7 @@ static bool choose_methods(Plan *plan, const RenderParams *params, Error *error)
         return error_prefix(error, "%s:%d: ", scene->file->path, scene->file->sky_line);
     }
     return auto_light(&plan->light, params->light, &plan->sky, &wish, error) &&
-           method_choose(&plan->sequence, METHOD_SEQUENCE, params->sequence, error) &&
-           sun_choose(&plan->sun, params->sun_disk, scene, error);
+           method_choose(&plan->sequence, METHOD_SEQUENCE, params->sequence, error);
 }
 
 int plan_width(const RenderParams *params) {

@@ -2,6 +2,7 @@
 
 #include "base/number.h"
 #include "base/text.h"
+#include "base/vec3.h"
 #include "scene/annotation.h"
 #include "scene/annotation_hints.h"
 #include "scene/hint_glsl.h"
@@ -99,6 +100,20 @@ void scene_hint(const Scene *scene, HintKind kind, int index, double out[MOST_HI
     const Hint *hint = &scene->file->hints[kind].list[index];
     for (int i = 0; i < MOST_HINT_NUMBERS; i++)
         out[i] = i < hint_info(kind)->components ? number_of(scene, hint->words[i]) : 0;
+}
+
+bool scene_is_seen_from_room(const Scene *scene) {
+    int portals = scene_hint_count(scene, HINT_PORTAL);
+    if (scene->file->hints[HINT_PORTAL].in_glsl) return portals > 0;
+    for (int i = 0; i < portals; i++) {
+        double numbers[MOST_HINT_NUMBERS], from[3];
+        scene_hint(scene, HINT_PORTAL, i, numbers);
+        /* The sun's direction from the same two angles is where the portal faces. */
+        Sun facing = sun_at(numbers[4], numbers[3], 1);
+        vec3_subtract(scene->values.camera.eye, numbers, from);
+        if (vec3_dot(from, facing.direction) > 0) return true;
+    }
+    return false;
 }
 
 int scene_sphere_count(const Scene *scene) {

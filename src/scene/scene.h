@@ -43,6 +43,10 @@ int scene_hint_count(const Scene *scene, HintKind kind);
  * to the GPU alone (render/hints.h). */
 void scene_hint(const Scene *scene, HintKind kind, int index, double out[MOST_HINT_NUMBERS]);
 
+/* Whether the camera stands where one of the scene's portals faces, so that it is in the room that light
+ * enters there. Where the scene defines its portals in GLSL that is not known, and taken to be so. */
+bool scene_is_seen_from_room(const Scene *scene);
+
 /* How many spheres the GLSL function scene_sphere() makes, with the sliders as they are; -1 where they come
  * from a file. */
 int scene_sphere_count(const Scene *scene);
