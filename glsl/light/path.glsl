@@ -22,7 +22,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             vec2 v = sequence_pair(sequence);
             Material material = surface_material(hit);
             Bounce bounce = path_bounce(memory, path, hit, material, u, v);
-            path.gathered += path.throughput * sun_reflected(hit, material, incoming, max_hits - path.hits - 1, sequence);
+            path.gathered += path.throughput * sun_reflected(path.sun, hit, material, incoming, max_hits - path.hits - 1, sequence);
             path.sun = sun_after_bounce(path.sun, hit, material, incoming, bounce);
             vec3 lamp = emission_direction(hit, sequence);
             float lamp_pdf = path_pdf(memory, path, hit, material, lamp);
@@ -37,7 +37,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             path_after(memory, path, alive);
         }
     } while (alive);
-    vec3 disk = sun_escaped(path.sun, path.ray.direction);
-    if (path.escaped) sun_count(path.sun, path.throughput, path.ray.direction, disk);
+    vec3 disk = sun_escaped(path.sun, path.ray);
+    if (path.escaped) sun_count(path.sun, path.throughput, path.ray, disk);
     return path_finish(memory, path, disk);
 }

@@ -11,6 +11,13 @@ uniform vec3 camera_up;
 // Width and height in pixels.
 uniform vec3 picture_size;
 
+// The solid angle of the pixel that holds this direction, a unit vector in the picture.
+float camera_pixel_solid_angle(vec3 direction) {
+    float cosine = dot(direction, camera_forward);
+    float area = 4.0 * length(camera_right) * length(camera_up) / (picture_size.x * picture_size.y);
+    return area * cosine * cosine * cosine;
+}
+
 // Rays are uniform in the pixel's area, which is a box filter. `u` is in [0,1)^2.
 Ray camera_ray(vec2 pixel, vec2 u) {
     vec2 at = 2.0 * (pixel + u) / vec2(picture_size.x, picture_size.y) - 1.0;

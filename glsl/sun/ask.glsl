@@ -35,21 +35,24 @@ struct SunState {
     int thrower;
     // The density, 1/sr, with which a path that finds this light takes the sun's direction: high if the light is narrow.
     float peak;
+    // How likely light tracing is to take the path so far the other way round, in units of how likely the path is (sun/share.glsl). It is 0
+    // if light tracing cannot take it.
+    float traced;
 };
 
 SunState sun_start() {
-    return SunState(SUN_PICTURED, false, 0.0, 0, 0.0);
+    return SunState(SUN_PICTURED, false, 0.0, 0, 0.0, 0.0);
 }
 
 // The radiance that `hit` reflects directly from the sun back along `incoming`, including light that comes by way of at most
 // `mirrors` mirrors.
-vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence);
+vec3 sun_reflected(SunState state, Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence);
 
 // The state after a bounce.
 SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incoming, Bounce bounce);
 
 // The radiance of the disk to a ray that leaves the scene.
-vec3 sun_escaped(SunState state, vec3 direction);
+vec3 sun_escaped(SunState state, Ray ray);
 
-// Counts a path that has left the scene, if its sunlight was left to chance. `disk` is the radiance of the disk that it met.
-void sun_count(SunState state, vec3 throughput, vec3 direction, vec3 disk);
+// Counts a path that has left the scene along `ray`, if its sunlight was left to chance. `disk` is what sun_escaped() returned.
+void sun_count(SunState state, vec3 throughput, Ray ray, vec3 disk);

@@ -3,16 +3,17 @@
 #include "sun/ask.glsl"
 #include "sun/disk.glsl"
 #include "sun/near.glsl"
+#include "sun/share_whole.glsl"
 
-vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
+vec3 sun_reflected(SunState state, Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
     return vec3(0.0);
 }
 
 SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incoming, Bounce bounce) {
     bool scattered = state.scattered || bounce.pdf > 0.0;
-    return SunState(SUN_CHANCE, scattered, 1.0, material.kind, 1.0 / sun_solid_angle());
+    return SunState(SUN_CHANCE, scattered, 1.0, material.kind, 1.0 / sun_solid_angle(), 0.0);
 }
 
-vec3 sun_escaped(SunState state, vec3 direction) {
-    return sun_radiance(direction);
+vec3 sun_escaped(SunState state, Ray ray) {
+    return sun_radiance(ray.direction);
 }

@@ -5,13 +5,14 @@
 #include "sun/ask.glsl"
 #include "sun/disk.glsl"
 #include "sun/near.glsl"
+#include "sun/share.glsl"
 #include <mirrors>
 #include <planes>
 
 // Whether the last ray to the disk arrived.
 bool sun_arrived = false;
 
-vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
+vec3 sun_reflected(SunState state, Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
     vec2 u = sequence_pair(sequence);
     vec3 toward = sun_point(u);
     vec3 irradiance = sun_solid_angle() * sun_radiance(toward);
@@ -21,6 +22,7 @@ vec3 sun_reflected(Hit hit, Material material, vec3 incoming, int mirrors, INOUT
         reflected = value * irradiance * light_arriving(ray_from(hit, toward));
     }
     sun_arrived = max(reflected.x, max(reflected.y, reflected.z)) > 0.0;
+    if (sun_arrived) reflected *= sun_share_reflected(state.traced, hit, material, incoming, toward);
     if (mirrors > 0) {
         reflected += mirrors_reflect(hit, material, incoming, toward, irradiance, sequence);
         reflected += planes_reflect(hit, material, incoming, toward, mirrors, sequence);
@@ -57,10 +59,14 @@ SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incom
         next.chance = 1.0;
         next.peak = 1.0 / sun_solid_angle();
     }
+    next.traced = sun_traced(state, hit, material, incoming, bounce);
     next.thrower = bounce.pdf > 0.0 || next.found == SUN_CHANCE ? material.kind : state.thrower;
     return next;
 }
 
-vec3 sun_escaped(SunState state, vec3 direction) {
-    return state.found == SUN_CHANCE || state.found == SUN_SHOWN ? sun_radiance(direction) : vec3(0.0);
+vec3 sun_escaped(SunState state, Ray ray) {
+    bool counts = state.found == SUN_CHANCE || state.found == SUN_SHOWN;
+    vec3 radiance = counts ? sun_radiance(ray.direction) : vec3(0.0);
+    if (max(radiance.x, max(radiance.y, radiance.z)) > 0.0) radiance *= sun_share(state.traced * state.peak, ray);
+    return radiance;
 }

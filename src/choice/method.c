@@ -31,7 +31,8 @@ static const MethodFamilyRow families[METHOD_FAMILIES] = {
                       "on more than ground, control with a table of the sky and a scene that has bounds, "
                       "else cosine"},
     [METHOD_SEQUENCE] = {"--sequence", "sobol", "sobol"},
-    [METHOD_SUN] = {"--sun-disk", "sampled", "sampled"},
+    [METHOD_SUN] = {"--sun-disk", "sampled",
+                    "traced for a scene with glass, rough metal or mirrors that it does not name, else sampled"},
     [METHOD_FURTHER] = {"--further", "harmonics:10", "harmonics:10"},
 };
 
@@ -137,6 +138,15 @@ static const Method methods[] = {
      .has_disk = true,
      .samples_disk = true,
      .draws_image = true},
+    {.family = METHOD_SUN,
+     .name = "traced",
+     .file = "pass/sun_traced.glsl",
+     .about = "as sampled, and what glass, metal and unnamed mirrors throw on other surfaces is traced from "
+              "the sun, too",
+     .has_disk = true,
+     .samples_disk = true,
+     .draws_image = true,
+     .traces_light = true},
     {.family = METHOD_SUN,
      .name = "chance",
      .file = "pass/sun_chance.glsl",

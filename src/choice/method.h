@@ -70,6 +70,8 @@ typedef struct Method {
     bool samples_disk;
     /* A sun: a second program draws the disk's own image (glsl/pass/sun_image.glsl). */
     bool draws_image;
+    /* A sun: light paths from the disk are traced too, and their light is splatted (render/photon_pass.h). */
+    bool traces_light;
 } Method;
 
 /* Steps of the paper's sums: along the view ray, and from each of its points back and toward the sun. */

@@ -19,6 +19,9 @@ const ResourceKind *const picture_tables[] = {&drawn_mirrors, &drawn_spheres, &s
 const Pass trace_pass = {.name = "trace", .entry = "pass/trace.glsl"};
 const Pass sun_image_pass = {.name = "the sun's image", .entry = "pass/sun_image.glsl"};
 const Pass aov_pass_entry = {.name = "layers", .entry = "pass/aov.glsl"};
+const Pass throwers_pass = {.name = "throwers", .entry = "pass/throwers.glsl"};
+const Pass photons_pass = {.name = "light paths", .entry = "pass/photons.glsl"};
+const Pass points_pass = {.name = "points", .entry = "pass/splat.glsl"};
 const Pass check_pass = {.name = "check", .entry = "pass/check.glsl"};
 
 PassList pass_list(const Plan *plan, const RenderParams *params) {
@@ -30,6 +33,11 @@ PassList pass_list(const Plan *plan, const RenderParams *params) {
         list.passes[list.count++] = (Pass){.name = (*kind)->name, .entry = (*kind)->entry, .fills = *kind};
     }
     if (plan->sun.method->draws_image) list.passes[list.count++] = sun_image_pass;
+    if (plan->sun.method->traces_light) {
+        list.passes[list.count++] = throwers_pass;
+        list.passes[list.count++] = photons_pass;
+        list.passes[list.count++] = points_pass;
+    }
     list.passes[list.count++] = trace_pass;
     list.passes[list.count++] = aov_pass_entry;
     list.passes[list.count++] = check_pass;
@@ -121,4 +129,9 @@ void frame_uniforms(const Frame *frame, const Plan *plan, unsigned seed, Uniform
     uniforms_uint(uniforms, "seed", seed);
     uniforms_declared_in(uniforms, "pass/aov.glsl");
     uniforms_uint(uniforms, "seed", seed);
+    uniforms_declared_in(uniforms, "pass/throwers.glsl");
+    uniforms_uint(uniforms, "seed", seed);
+    uniforms_declared_in(uniforms, "pass/photons.glsl");
+    uniforms_uint(uniforms, "seed", seed);
+    uniforms_int(uniforms, "max_hits", plan->max_hits);
 }

@@ -20,7 +20,7 @@ typedef struct Pass {
     const ResourceKind *fills;
 } Pass;
 
-enum { MOST_PASSES = MOST_RESOURCES + 4 };
+enum { MOST_PASSES = MOST_RESOURCES + 7 };
 
 typedef struct PassList {
     Pass passes[MOST_PASSES];
@@ -30,6 +30,9 @@ typedef struct PassList {
 /* The passes that draw into the film, the one that draws layers (--aov), and the one that checks the scene's
  * values (render/check.h). */
 extern const Pass trace_pass, sun_image_pass, aov_pass_entry, check_pass;
+
+/* The passes of light that is traced from the sun (render/photon_pass.h). */
+extern const Pass throwers_pass, photons_pass, points_pass;
 
 /* All programs that a picture with this plan may need, in the order in which they are drawn. */
 PassList pass_list(const Plan *plan, const RenderParams *params);

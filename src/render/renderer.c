@@ -1,8 +1,8 @@
 #include "render/renderer.h"
 
 #include "choice/bias.h"
-#include "gl/strips.h"
 #include "render/drawn_mirrors.h"
+#include "render/renderer_draw.h"
 
 #include <math.h>
 #include <string.h>
@@ -44,7 +44,15 @@ static void give(const Renderer *renderer, const Program *program, const Uniform
     resources_give(&renderer->tables, program);
 }
 
-/* Fills the tables for this frame, and when they are ready, sets all uniforms of both programs that stay the
+/* Aims the light paths. A preview has none, because the next one may come at once. */
+static bool aim(Renderer *renderer, const Frame *frame, Error *error) {
+    if (!photon_pass_aim(&renderer->light, frame, !frame->coarse, error)) return false;
+    program_use(&renderer->program);
+    photon_pass_give(&renderer->light, &renderer->program);
+    return true;
+}
+
+/* Fills the tables for this frame, and when they are ready, sets all uniforms of the programs that stay the
  * same until the next frame. */
 static bool set_up(Renderer *renderer, const Frame *frame, double seconds, bool (*stop)(void), Error *error) {
     Uniforms uniforms = {0};
@@ -53,6 +61,9 @@ static bool set_up(Renderer *renderer, const Frame *frame, double seconds, bool 
     bool ok = resources_prepare_for(&renderer->tables, frame, &uniforms, seconds, stop, ready, error);
     if (ok && *ready == 1) give(renderer, &renderer->program, &uniforms);
     if (ok && *ready == 1) give(renderer, &renderer->image.program, &uniforms);
+    if (ok && *ready == 1) give(renderer, &renderer->light.throwers, &uniforms);
+    if (ok && *ready == 1) give(renderer, &renderer->light.photons, &uniforms);
+    if (ok && *ready == 1) ok = aim(renderer, frame, error);
     uniforms_free(&uniforms);
     return ok && gl_check(renderer->gl, "setting up the pass", error);
 }
@@ -67,22 +78,12 @@ static bool start(Renderer *renderer, const Frame *frame, const RenderParams *pa
     return false;
 }
 
-static void begin(Renderer *renderer, unsigned group) {
-    const Program *program = &renderer->program;
-    program_use(program);
-    program_set_uint(program, "group_samples", group);
-    if (program_declares(program, "iFrame"))
-        program_set_int(program, "iFrame", (int)(renderer->film.samples / renderer->plan.group_samples));
-    if (renderer->image.gl) program_set_texture(program, "sun_image_sums", renderer->image.texture);
-    film_begin(&renderer->film, program);
-}
-
 /* Draws one pixel that no film takes in, because drivers compile a program when it first draws. */
 static bool warm_up(Renderer *renderer, Error *error) {
     const Program *image = &renderer->image.program;
     image_pass_warm_up(&renderer->image, &renderer->film);
     if (image->id && !program_check(image, error)) return false;
-    begin(renderer, 1);
+    renderer_begin_group(renderer, 1);
     if (!program_check(&renderer->program, error)) return false;
     program_draw(&renderer->program, 0, 0, 1, 1);
     renderer->gl->Finish();
@@ -100,7 +101,7 @@ static bool finish(Renderer *renderer, Error *error) {
 
 static unsigned film_parts(const Plan *plan, bool variance) {
     return (variance ? FILM_SCATTER : 0U) | (plan->needs.search ? FILM_SEARCH : 0U) |
-           (plan_counts_chance(plan) ? FILM_CHANCE : 0U);
+           (plan_counts_chance(plan) ? FILM_CHANCE : 0U) | (plan->sun.method->traces_light ? FILM_SPLAT : 0U);
 }
 
 /* Sets what follows from the plan and the scene's current values. */
@@ -140,6 +141,7 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
                      error) ||
         !create_tables(renderer, context, params, &frame, error) ||
         !image_pass_create(&renderer->image, context, &renderer->plan, error) ||
+        !photon_pass_create(&renderer->light, context, &renderer->plan, params, error) ||
         !find_image(renderer, &frame, &image, error) ||
         !image_pass_compile(&renderer->image, &image, &renderer->plan, params, error)) {
         return false;
@@ -247,54 +249,7 @@ void renderer_destroy(Renderer *renderer) {
     film_destroy(&renderer->film);
     program_destroy(&renderer->program);
     image_pass_destroy(&renderer->image);
+    photon_pass_destroy(&renderer->light);
     text_free(&renderer->source_files);
     *renderer = (Renderer){0};
-}
-
-/* Returns false if it was stopped. */
-static bool draw_group(Renderer *renderer, const Rectangle *regions, int count, unsigned group,
-                       bool (*stop)(void)) {
-    image_pass_draw(&renderer->image, &renderer->film, regions, count, group);
-    begin(renderer, group);
-    return strips_draw(&renderer->program, regions, count, &renderer->pixels_per_second, stop);
-}
-
-bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error) {
-    Film *film = &renderer->film;
-    Rectangle all = {0, 0, film->width, film->height};
-    unsigned group =
-        samples < renderer->plan.group_samples ? (unsigned)samples : renderer->plan.group_samples;
-    /* Of a first group that is stopped the finished rows are kept, and the others must be empty. */
-    if (!film->samples && stop) film_clear_next(film);
-    bool stopped = !draw_group(renderer, &all, 1, group, stop);
-    if (!stopped || film->samples == 0) film_commit(film, group);
-    return gl_check(renderer->gl, "drawing a pass", error);
-}
-
-bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, unsigned samples,
-                     bool (*stop)(void), bool *stopped, Error *error) {
-    *stopped = !draw_group(renderer, regions, count, samples, stop);
-    if (!*stopped) film_commit(&renderer->film, 0);
-    return gl_check(renderer->gl, "refining regions", error);
-}
-
-bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, bool (*stop)(void),
-                      Error *error) {
-    Film *film = &renderer->film;
-    Rectangle all = {0, 0, film->width, film->height};
-    if (renderer->row == 0) {
-        unsigned last = renderer->group;
-        renderer->group =
-            samples < renderer->plan.group_samples ? (unsigned)samples : renderer->plan.group_samples;
-        renderer->pixels_per_second *= (double)last / renderer->group;
-    }
-    if (renderer->row == 0) image_pass_draw(&renderer->image, film, &all, 1, renderer->group);
-    begin(renderer, renderer->group);
-    strips_draw_for(&renderer->program, film->width, film->height, &renderer->row,
-                    &renderer->pixels_per_second, seconds, stop);
-    if (renderer->row == film->height) {
-        film_commit(film, renderer->group);
-        renderer->row = 0;
-    }
-    return gl_check(renderer->gl, "drawing a pass", error);
 }

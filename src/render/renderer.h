@@ -8,6 +8,7 @@
 #include "gl/camera.h"
 #include "gl/film.h"
 #include "render/image_pass.h"
+#include "render/photon_pass.h"
 
 typedef struct Renderer {
     const GlApi *gl;
@@ -34,6 +35,8 @@ typedef struct Renderer {
     SunImage sun_image;
     /* The pass that draws the sun's own image. */
     ImagePass image;
+    /* The passes that trace light from the sun. */
+    PhotonPass light;
     /* Measured for groups of samples; it sets the size of the draws. */
     double pixels_per_second;
     /* For renderer_advance(): the size of the group in progress, 0 if there is none, and its first row that

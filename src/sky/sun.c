@@ -25,9 +25,19 @@ void sun_slots(SlotList *slots, const MethodChoice *choice, const Scene *scene) 
     slot_file(slots, "planes", planes ? "sun/planes.glsl" : "sun/planes_none.glsl");
 }
 
+/* Whether the scene may throw sunlight on its surfaces in a way that rays to the sun do not find. A scene that
+ * names some of its mirrors is taken to name all of them. */
+static bool throws_light(const Scene *scene) {
+    const SceneFacts *facts = &scene->file->facts;
+    bool named = scene_hint_count(scene, HINT_MIRROR_SPHERE) + scene_hint_count(scene, HINT_MIRROR_PLANE) > 0;
+    bool glossy = facts->has_glass || facts->has_rough_metal || facts->has_author;
+    return facts->throws && (glossy || !named);
+}
+
 bool sun_choose(MethodChoice *choice, const char *text, const Scene *scene, Error *error) {
     SunDisk disk = disk_of(scene);
     if (!text) text = scene->values.sun_disk ? "auto" : "off";
+    if (method_is_auto(text) && throws_light(scene)) text = "traced";
     if (!method_choose(choice, METHOD_SUN, text, error)) return false;
     return sun_disk_visible(&disk) || method_choose(choice, METHOD_SUN, "off", error);
 }

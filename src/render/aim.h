@@ -1,0 +1,28 @@
+/* Where light paths begin: a plane that faces the sun, on which they are dense where surfaces throw light into
+ * the picture (glsl/sun/aim.glsl). */
+#pragma once
+
+#include <stdbool.h>
+
+enum { AIM_LEVELS = 10, AIM_NODES = 1 << AIM_LEVELS };
+
+typedef struct Aim {
+    /* The least and the largest coordinates of the rectangle in which they begin, in metres. */
+    double box[4];
+    /* The plane's distance from the origin, toward the sun. */
+    double top;
+    /* Whether anything throws light. If not, the rest means nothing. */
+    bool any;
+    /* 4 floats for each node: where it is cut in two, and 0 or 1 for the axis across which. Node 0 is not
+     * used. */
+    float nodes[AIM_NODES][4];
+} Aim;
+
+/* Sets the plane and the rectangle from places that throw light: `places` has 4 floats for each, two
+ * coordinates on the plane, one toward the sun, and 0 where there is no place. `spread` is the tangent of the
+ * disk's angular radius. The tree is made from the same places. */
+void aim_begin(Aim *aim, const float *places, int count, double spread);
+
+/* Makes the tree from the light that paths brought: `starts` has 4 floats for each path, two coordinates on
+ * the plane, one that is not used, and the light. */
+void aim_improve(Aim *aim, const float *starts, int count);

@@ -1,0 +1,169 @@
+#include "render/photon_pass.h"
+
+#include "base/memory.h"
+#include "gl/texture.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum {
+    /* A batch's texels. Paths are counted in whole rows. */
+    BATCH_COLUMNS = 256,
+    BATCH_ROWS = 256,
+    /* The rows of the batch by which the paths are aimed. */
+    AIM_ROWS = 128,
+    /* The coarse picture by which throwing surfaces are looked for, and the paths in each of its pixels. */
+    COARSE_SIDE = 64,
+    COARSE_PATHS = 4,
+    COARSE_HITS = 4
+};
+
+/* The number of light paths for each path from the camera. */
+static const double paths_a_path = 0.5;
+
+static bool compile(Program *program, const Pass *pass, const GlApi *gl, const Plan *plan,
+                    const RenderParams *params, Error *error) {
+    GlslSource source = {0};
+    bool points = pass == &points_pass;
+    bool ok = pass_text(pass, plan, params, &source, error) &&
+              (points ? program_create_points(program, gl, &source, error)
+                      : pass_compile(program, gl, &source, params, error));
+    glsl_source_destroy(&source);
+    return ok;
+}
+
+static void attach(const PhotonPass *pass) {
+    static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT0 + 1, GL_COLOR_ATTACHMENT0 + 2};
+    const GLuint textures[] = {pass->places, pass->lights, pass->starts};
+    pass->gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
+    for (int i = 0; i < 3; i++)
+        pass->gl->FramebufferTexture2D(GL_FRAMEBUFFER, buffers[i], GL_TEXTURE_2D, textures[i], 0);
+    pass->gl->DrawBuffers(3, buffers);
+}
+
+bool photon_pass_create(PhotonPass *pass, const Context *context, const Plan *plan, const RenderParams *params,
+                        Error *error) {
+    const GlApi *gl = &context->gl;
+    *pass = (PhotonPass){0};
+    if (!plan->sun.method->traces_light) return true;
+    pass->gl = gl;
+    pass->places = texture_create(gl, BATCH_COLUMNS, BATCH_ROWS, GL_NEAREST, NULL);
+    pass->lights = texture_create(gl, BATCH_COLUMNS, BATCH_ROWS, GL_NEAREST, NULL);
+    pass->starts = texture_create(gl, BATCH_COLUMNS, BATCH_ROWS, GL_NEAREST, NULL);
+    pass->tree = texture_create(gl, AIM_NODES, 1, GL_NEAREST, NULL);
+    gl->GenFramebuffers(1, &pass->framebuffer);
+    attach(pass);
+    return gl_check(gl, "textures for light paths", error) &&
+           compile(&pass->throwers, &throwers_pass, gl, plan, params, error) &&
+           compile(&pass->photons, &photons_pass, gl, plan, params, error) &&
+           compile(&pass->points, &points_pass, gl, plan, params, error);
+}
+
+void photon_pass_destroy(PhotonPass *pass) {
+    if (!pass->gl) return;
+    const GLuint textures[] = {pass->places, pass->lights, pass->starts, pass->tree};
+    pass->gl->DeleteFramebuffers(1, &pass->framebuffer);
+    pass->gl->DeleteTextures(4, textures);
+    program_destroy(&pass->throwers);
+    program_destroy(&pass->photons);
+    program_destroy(&pass->points);
+    *pass = (PhotonPass){0};
+}
+
+static void read(const PhotonPass *pass, int attachment, int width, int height, float *texels) {
+    const GlApi *gl = pass->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
+    gl->ReadBuffer(GL_COLOR_ATTACHMENT0 + (GLenum)attachment);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, texels);
+    gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
+}
+
+void photon_pass_give(const PhotonPass *pass, const Program *program) {
+    if (!pass->gl) return;
+    program_set_texture(program, "aim_tree", pass->tree);
+    program_set_vec4(program, "aim_box", pass->aim.box);
+    program_set_float(program, "aim_distance", pass->aim.top);
+    program_set_float(program, "aim_paths", pass->paths_a_sample);
+}
+
+/* Draws rows of the batch with a program that is in use. */
+static void draw(const PhotonPass *pass, const Program *program, int width, int rows) {
+    pass->gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
+    pass->gl->Viewport(0, 0, BATCH_COLUMNS, BATCH_ROWS);
+    program_draw(program, 0, 0, width, rows);
+}
+
+static void trace(const PhotonPass *pass, int rows) {
+    const Program *program = &pass->photons;
+    program_use(program);
+    photon_pass_give(pass, program);
+    program_set_uint(program, "photon_first", (unsigned)pass->next);
+    program_set_uint(program, "photon_columns", BATCH_COLUMNS);
+    draw(pass, program, BATCH_COLUMNS, rows);
+}
+
+/* Finds places that throw light, and aims at them. */
+static bool find_throwers(PhotonPass *pass, const Frame *frame, Error *error) {
+    double coarse[3] = {COARSE_SIDE, COARSE_SIDE, 0},
+           spread = tan(fmin(frame->state.sun.radius_deg, 45) * 0.017453292519943295);
+    float *places = memory_get((size_t)COARSE_SIDE * COARSE_SIDE * 4, sizeof *places);
+    program_use(&pass->throwers);
+    program_set_vec3(&pass->throwers, "picture_size", coarse);
+    program_set_uint(&pass->throwers, "thrower_paths", COARSE_PATHS);
+    program_set_int(&pass->throwers, "thrower_hits", COARSE_HITS);
+    bool ok = program_check(&pass->throwers, error);
+    if (ok) {
+        draw(pass, &pass->throwers, COARSE_SIDE, COARSE_SIDE);
+        read(pass, 0, COARSE_SIDE, COARSE_SIDE, places);
+        aim_begin(&pass->aim, places, COARSE_SIDE * COARSE_SIDE, spread);
+        ok = gl_check(pass->gl, "looking for surfaces that throw light", error);
+    }
+    free(places);
+    return ok;
+}
+
+static void upload(const PhotonPass *pass) {
+    texture_resize(pass->gl, pass->tree, AIM_NODES, 1, pass->aim.nodes[0]);
+}
+
+bool photon_pass_aim(PhotonPass *pass, const Frame *frame, bool traces, Error *error) {
+    if (!pass->gl) return true;
+    double pixels = (double)frame->camera.width * frame->camera.height;
+    pass->next = 0;
+    pass->paths_a_sample = 0;
+    pass->aim.any = false;
+    if (!traces) return true;
+    if (!find_throwers(pass, frame, error)) return false;
+    if (pass->aim.any) {
+        float *starts = memory_get((size_t)AIM_ROWS * BATCH_COLUMNS * 4, sizeof *starts);
+        upload(pass);
+        pass->paths_a_sample = paths_a_path * pixels;
+        trace(pass, AIM_ROWS);
+        read(pass, 2, BATCH_COLUMNS, AIM_ROWS, starts);
+        aim_improve(&pass->aim, starts, AIM_ROWS * BATCH_COLUMNS);
+        free(starts);
+        upload(pass);
+    }
+    if (!pass->aim.any) pass->paths_a_sample = 0;
+    return program_check(&pass->photons, error) && gl_check(pass->gl, "aiming light paths", error);
+}
+
+uint64_t photon_pass_due(const PhotonPass *pass, double samples) {
+    double due = pass->paths_a_sample * samples - (double)pass->next;
+    return due > 0 ? (uint64_t)ceil(due) : 0;
+}
+
+uint64_t photon_pass_draw(PhotonPass *pass, Film *film, uint64_t paths) {
+    uint64_t rows = (paths + BATCH_COLUMNS - 1) / BATCH_COLUMNS;
+    if (rows > BATCH_ROWS) rows = BATCH_ROWS;
+    trace(pass, (int)rows);
+    program_use(&pass->points);
+    program_set_texture(&pass->points, "splat_places", pass->places);
+    program_set_texture(&pass->points, "splat_lights", pass->lights);
+    film_splat_begin(film, &pass->points);
+    program_draw_points(&pass->points, (int)rows * BATCH_COLUMNS);
+    film_splat_end(film, (double)rows * BATCH_COLUMNS);
+    pass->next += rows * BATCH_COLUMNS;
+    return rows * BATCH_COLUMNS;
+}

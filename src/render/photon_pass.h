@@ -1,0 +1,41 @@
+/* Light paths from the sun's disk (glsl/pass/photons.glsl). They are for light that glass, metal and mirrors
+ * throw on other surfaces, which paths from the camera find only by luck. Each batch of them is traced into
+ * textures, of which each texel is a point that is added to the film's second sum. */
+#pragma once
+
+#include "gl/film.h"
+#include "render/aim.h"
+#include "render/passes.h"
+
+typedef struct PhotonPass {
+    const GlApi *gl;
+    Program throwers, photons, points;
+    /* A batch: places, lights and starts. The last one of them is read only when the paths are aimed. */
+    GLuint places, lights, starts, framebuffer;
+    /* The tree of the aim. */
+    GLuint tree;
+    Aim aim;
+    /* Light paths for each sample of all pixels together; 0 if none are traced. */
+    double paths_a_sample;
+    /* The number of the next path. */
+    uint64_t next;
+} PhotonPass;
+
+/* Creates the pass if the plan's method traces light; else `pass` is an empty struct. Errors in GLSL are
+ * STATUS_SCENE. */
+MUST_CHECK bool photon_pass_create(PhotonPass *pass, const Context *context, const Plan *plan,
+                                   const RenderParams *params, Error *error);
+void photon_pass_destroy(PhotonPass *pass);
+
+/* Aims the paths at what throws light into this picture, with the programs' uniforms and tables set. The
+ * picture is to begin anew. If `traces` is false, or nothing throws light, there will be no paths. */
+MUST_CHECK bool photon_pass_aim(PhotonPass *pass, const Frame *frame, bool traces, Error *error);
+
+/* Tells the program that traces paths from the camera, which must be in use, how light paths are aimed. */
+void photon_pass_give(const PhotonPass *pass, const Program *trace);
+
+/* The number of paths that are still to be traced when the film has these samples in all pixels. */
+uint64_t photon_pass_due(const PhotonPass *pass, double samples);
+
+/* Traces at most `paths` paths, and about a tenth of a second's work, into the film. Returns how many. */
+uint64_t photon_pass_draw(PhotonPass *pass, Film *film, uint64_t paths);
