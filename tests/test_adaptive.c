@@ -47,7 +47,7 @@ static double estimate_ratio(double power, uint64_t seed) {
         for (int i = 0; i < noise.columns * noise.rows; i++) noise.tiles[i].samples = (uint64_t)4 << level;
         for (int i = 0; i < 3 * SIDE * SIDE; i++)
             mean.rgba[4 * (i / 3) + i % 3] = (float)(1 + history[level][i]);
-        noise_measure(&noise, &mean);
+        noise_measure(&noise, &(NoisePicture){.mean = &mean});
         if (level == 0) assert_true(isinf(noise_error(&noise, NOISE_RADIANCE)));
     }
     for (int i = 0; i < 3 * SIDE * SIDE; i++) true_error += history[5][i] * history[5][i];
@@ -80,7 +80,7 @@ static void draw(Image *mean, int level, int sun, double first, uint64_t *seed) 
 
 static void measure(Noise *noise, const Image *mean, int level) {
     for (int i = 0; i < noise->columns * noise->rows; i++) noise->tiles[i].samples = (uint64_t)16 << level;
-    noise_measure(noise, mean);
+    noise_measure(noise, &(NoisePicture){.mean = mean});
 }
 
 /* The pixels of the sun's own image are left out of the error and of the mean alike. If they are all pixels,

@@ -31,8 +31,9 @@ static const MethodFamilyRow families[METHOD_FAMILIES] = {
                       "on more than ground, control with a table of the sky and a scene that has bounds, "
                       "else cosine"},
     [METHOD_SEQUENCE] = {"--sequence", "sobol", "sobol"},
-    [METHOD_SUN] = {"--sun-disk", "sampled",
-                    "traced for a scene with glass, rough metal or mirrors that it does not name, else sampled"},
+    [METHOD_SUN] =
+        {"--sun-disk", "sampled",
+         "traced for a scene with glass, rough metal or mirrors that it does not name, else sampled"},
     [METHOD_FURTHER] = {"--further", "harmonics:10", "harmonics:10"},
 };
 

@@ -43,13 +43,15 @@ static double tile_pixels(const NoiseTile *tile) {
     return (double)tile->pixels.width * tile->pixels.height;
 }
 
-/* Chooses the tiles that are to be doubled, and returns their number. */
+/* Chooses the tiles that are to be doubled, and whether the light paths are. Returns the number of choices.
+ */
 static int choose(Adaptive *adaptive, double target) {
     const Noise *noise = &adaptive->noise;
     int count = 0, tiles = count_tiles(adaptive);
     double planned = 0;
     int *doublings = memory_get((size_t)tiles, sizeof *doublings);
-    tile_plan(noise, adaptive->measure, target, doublings);
+    int light = tile_plan(noise, adaptive->measure, target, doublings);
+    adaptive->wanted_light = light ? noise->light.paths : 0;
     for (int i = 0; i < tiles; i++) {
         const NoiseTile *tile = &noise->tiles[i];
         bool chosen = doublings[i] > 0;
@@ -58,8 +60,8 @@ static int choose(Adaptive *adaptive, double target) {
         planned += ldexp(tile_pixels(tile) * (double)tile->samples, doublings[i]);
     }
     free(doublings);
-    adaptive->planned = planned / ((double)noise->width * noise->height);
-    return count;
+    adaptive->planned = (planned + ldexp(noise->light.paths, light)) / ((double)noise->width * noise->height);
+    return count + (light > 0);
 }
 
 /* Chooses all tiles that may have more samples, for a picture that has reached its target in too few paths to
@@ -134,6 +136,13 @@ static bool double_tiles(Adaptive *adaptive, Renderer *renderer, bool (*stop)(vo
     return true;
 }
 
+/* Doubles the light paths if the plan says so. */
+static bool double_light(const Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), Error *error) {
+    if (!(adaptive->wanted_light > 0) || clock_seconds() >= adaptive->deadline || (stop && stop()))
+        return true;
+    return renderer_light(renderer, (uint64_t)adaptive->wanted_light, stop, error);
+}
+
 /* Notes that all tiles have the film's number of samples. */
 static void set_samples(Adaptive *adaptive, const Film *film) {
     for (int i = 0; i < count_tiles(adaptive); i++) adaptive->noise.tiles[i].samples = film->samples;
@@ -172,7 +181,7 @@ static bool measure(Adaptive *adaptive, const Renderer *renderer, Error *error) 
     bool ok = chance_map_read(&map, &renderer->film, error);
     if (ok) {
         adaptive->evidence = evidence_gather(&adaptive->noise, &map, &mean);
-        noise_measure(&adaptive->noise, &mean);
+        ok = noise_measure_film(&adaptive->noise, &renderer->film, &mean, error);
         chance_map_free(&map);
     }
     image_free(&mean);
@@ -196,7 +205,8 @@ bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double target, bool 
     if (!chosen && adaptive->most == renderer->film.samples) even = true;
     if (!even && !chosen) choose_all(adaptive);
     if (even ? !sample_evenly(adaptive, renderer, stop, error)
-             : !double_tiles(adaptive, renderer, stop, error)) {
+             : !double_tiles(adaptive, renderer, stop, error) ||
+                   !double_light(adaptive, renderer, stop, error)) {
         return false;
     }
     adaptive->rounds++;

@@ -24,6 +24,8 @@ typedef struct Adaptive {
     /* The samples that each tile is still to get in this round. */
     uint64_t *wanted;
     Rectangle *regions;
+    /* The light paths that are still to be traced in this round. */
+    double wanted_light;
     /* No group of samples is begun after this time of clock_seconds(). INFINITY at first. */
     double deadline;
     /* Paths so far, over all pixels. */

@@ -22,6 +22,23 @@ Noise evidence_begin(const Renderer *renderer, const ToneTable *tone) {
     return noise;
 }
 
+bool noise_measure_film(Noise *noise, const Film *film, const Image *mean, Error *error) {
+    NoisePicture picture = {.mean = mean};
+    float *light = NULL;
+    if (film->light_paths > 0) {
+        light = memory_get((size_t)film->width * (size_t)film->height, 4 * sizeof *light);
+        if (!film_read_light(film, light, error)) {
+            free(light);
+            return false;
+        }
+        picture.light = light;
+        picture.light_paths = film->light_paths;
+    }
+    noise_measure(noise, &picture);
+    free(light);
+    return true;
+}
+
 static unsigned materials_near(const ChanceMap *map, size_t pixel) {
     return (unsigned)map->chance[4 * pixel + 3] & ((1U << FILM_CHANCE_MATERIALS) - 1);
 }

@@ -16,6 +16,9 @@
  * the start. `tone` is as for noise_create(). */
 Noise evidence_begin(const Renderer *renderer, const ToneTable *tone);
 
+/* Measures the noise of the film, whose picture is `mean`. */
+MUST_CHECK bool noise_measure_film(Noise *noise, const Film *film, const Image *mean, Error *error);
+
 typedef struct Evidence {
     /* A bit for each material whose class is not met. */
     unsigned unmet;

@@ -15,6 +15,10 @@
  * Tiles may have different numbers of samples. A tile is measured only when its number of samples has
  * doubled. Between measurements V ~ 1/n is assumed.
  *
+ * A film's second sum, of light that is traced from the lights, has noise of its own. All tiles have the same
+ * number of light paths, and the change of that sum is measured whenever this number has doubled. Light paths
+ * count as independent.
+ *
  * All of it is done in one measure or in two: of the radiance, and of the picture as it is shown. */
 #pragma once
 
@@ -50,6 +54,26 @@ typedef struct NoiseChange {
     double unmet;
 } NoiseChange;
 
+/* What noise is measured of. */
+typedef struct NoisePicture {
+    /* The film's picture (film_read()). */
+    const Image *mean;
+    /* The part of it that light paths brought, 4 floats a pixel (film_read_light()), and their number; NULL
+     * and 0 where there are none. */
+    const float *light;
+    double light_paths;
+} NoisePicture;
+
+/* The state of the second sum's measurements. */
+typedef struct NoiseLight {
+    /* Light paths now, and when the sum was last measured. */
+    double paths, measured;
+    /* How often it was measured. */
+    int times;
+    /* 3 numbers for each pixel: the sum that the next one is compared with. NULL without light paths. */
+    float *before;
+} NoiseLight;
+
 typedef struct NoiseTile {
     Rectangle pixels;
     /* How many of them are not left out. */
@@ -61,6 +85,8 @@ typedef struct NoiseTile {
     /* How often the tile was measured. */
     int times;
     NoiseChange change[NOISE_MEASURES];
+    /* How the light of light paths has changed. Only `now` and `squares` are used. */
+    NoiseChange light[NOISE_MEASURES];
 } NoiseTile;
 
 /* The state of one measure. */
@@ -76,8 +102,10 @@ typedef struct Noise {
     int width, height, columns, rows;
     /* columns * rows tiles, row by row. */
     NoiseTile *tiles;
-    /* 3 numbers for each pixel: the mean that the next mean is compared with. */
+    /* 3 numbers for each pixel: the mean, without the light of light paths, that the next mean is compared
+     * with. */
     float *before;
+    NoiseLight light;
     /* 1 for each pixel that all figures and the mean leave out: those of the sun's own image. */
     unsigned char *left_out;
     long counted;
@@ -106,14 +134,18 @@ void noise_leave_out(Noise *noise, const unsigned char *mask);
  * second measurement after that. */
 void noise_show(Noise *noise, double gain);
 
-/* Compares the picture's mean with the mean before. The caller has set `tiles[i].samples` to the samples in
+/* Compares the picture with the picture before. The caller has set `tiles[i].samples` to the samples in
  * it. Tiles whose samples have doubled since their last measurement are measured; the others wait. */
-void noise_measure(Noise *noise, const Image *mean);
+void noise_measure(Noise *noise, const NoisePicture *picture);
 
 /* Returns a tile's part of the squared error: the estimated variance of the mean, averaged over the channels
  * and summed over the tile's pixels. The estimate is for `samples` samples of each pixel, which may be more
  * than the tile has now. Returns INFINITY while it is not known. */
 double noise_of_tile(const Noise *noise, const NoiseTile *tile, NoiseMeasure measure, double samples);
+
+/* Returns the parts of noise_of_tile(): that of `samples` samples, and that of `paths` light paths. */
+double noise_of_samples(const Noise *noise, const NoiseTile *tile, NoiseMeasure measure, double samples);
+double noise_of_light(const Noise *noise, const NoiseTile *tile, NoiseMeasure measure, double paths);
 
 /* Returns the estimated error of the whole picture, or INFINITY while it is not known. */
 double noise_error(const Noise *noise, NoiseMeasure measure);

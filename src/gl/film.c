@@ -13,12 +13,12 @@ static size_t pixel_count(const Film *film) {
     return (size_t)film->width * (size_t)film->height;
 }
 
-static void create_splat(Film *film) {
+static void create_texture(const Film *film, GLuint *texture, GLuint *framebuffer) {
     const GlApi *gl = film->target.gl;
-    film->splat = texture_create(gl, film->width, film->height, GL_NEAREST, NULL);
-    gl->GenFramebuffers(1, &film->splat_framebuffer);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, film->splat_framebuffer);
-    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, film->splat, 0);
+    *texture = texture_create(gl, film->width, film->height, GL_NEAREST, NULL);
+    gl->GenFramebuffers(1, framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, *framebuffer);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, *texture, 0);
 }
 
 static void clear_splat(Film *film) {
@@ -36,7 +36,10 @@ bool film_create(Film *film, const Context *context, int width, int height, unsi
     if (parts & FILM_CHANCE) outputs |= 1U << CHANCE | 1U << SQUARES;
     *film = (Film){.width = width, .height = height, .parts = parts, .splat_scale = 1};
     if (!target_create(&film->target, context, width, height, outputs, error)) return false;
-    if (parts & FILM_SPLAT) create_splat(film);
+    if (parts & FILM_SPLAT) {
+        create_texture(film, &film->splat, &film->splat_framebuffer);
+        create_texture(film, &film->joined, &film->joined_framebuffer);
+    }
     clear_splat(film);
     if (gl_check(film->target.gl, "a film for splatted light", error)) return true;
     film_destroy(film);
@@ -46,7 +49,9 @@ bool film_create(Film *film, const Context *context, int width, int height, unsi
 void film_destroy(Film *film) {
     if (film->splat) {
         film->target.gl->DeleteFramebuffers(1, &film->splat_framebuffer);
+        film->target.gl->DeleteFramebuffers(1, &film->joined_framebuffer);
         film->target.gl->DeleteTextures(1, &film->splat);
+        film->target.gl->DeleteTextures(1, &film->joined);
     }
     target_destroy(&film->target);
     *film = (Film){0};
@@ -117,13 +122,31 @@ static bool read_splats(const Film *film, const Rectangle *r, float *rgba, Error
     return gl_check(gl, "reading splatted light back", error);
 }
 
+bool film_read_light(const Film *film, float *rgba, Error *error) {
+    Rectangle all = {0, 0, film->width, film->height};
+    return read_splats(film, &all, rgba, error);
+}
+
+GLuint film_join(const Film *film, const Program *program) {
+    const GlApi *gl = film->target.gl;
+    GLuint sum = film->target.textures[film->target.front][SUM];
+    if (!film->splat || !(film->light_paths > 0)) return sum;
+    program_use(program);
+    program_set_texture(program, "join_sum", sum);
+    program_set_texture(program, "join_light", film->splat);
+    program_set_float(program, "join_scale", film->splat_scale / film->light_paths);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, film->joined_framebuffer);
+    gl->Viewport(0, 0, film->width, film->height);
+    program_draw(program, 0, 0, film->width, film->height);
+    return film->joined;
+}
+
 /* Adds the second sum's light to an image of means. */
 static bool join_splats(const Film *film, Image *image, Error *error) {
     if (!film->splat) return true;
     size_t pixels = pixel_count(film);
-    Rectangle all = {0, 0, film->width, film->height};
     float *splats = memory_get(pixels * 4, sizeof *splats);
-    bool ok = read_splats(film, &all, splats, error);
+    bool ok = film_read_light(film, splats, error);
     for (size_t i = 0; ok && i < 4 * pixels; i++) {
         if (i % 4 != 3) image->rgba[i] += splats[i];
     }

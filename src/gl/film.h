@@ -53,6 +53,8 @@ typedef struct Film {
     uint64_t samples;
     /* The second sum's texture and its framebuffer; 0 without FILM_SPLAT. */
     GLuint splat, splat_framebuffer;
+    /* What film_join() draws into, and its framebuffer. */
+    GLuint joined, joined_framebuffer;
     /* The number of light paths in the second sum, including those that reached no pixel. */
     double light_paths;
     /* The radiance of a pixel for splat / light_paths = 1. It is 1 unless the film's user sets another. */
@@ -106,6 +108,15 @@ void film_commit(Film *film, uint64_t samples);
  * light paths that the points stand for. If a draw was left out, leave its paths out too. */
 void film_splat_begin(const Film *film, const Program *program);
 void film_splat_end(Film *film, double paths);
+
+/* Returns a texture of sums that have the second sum's part of the mean in them: radiance in rgb, samples in
+ * alpha. It is the film's own sum where there is no second sum, or else drawn by `program`, which is that of
+ * pass/join.glsl. */
+GLuint film_join(const Film *film, const Program *program);
+
+/* Reads the second sum's part of the mean: 4 floats a pixel, of which the last has no meaning. It is 0 where
+ * there is no second sum. */
+MUST_CHECK bool film_read_light(const Film *film, float *rgba, Error *error);
 
 /* Reads the mean radiance, including the second sum. Alpha is 1 where a sample was accepted and 0 elsewhere.
  * On success the caller frees the image. */

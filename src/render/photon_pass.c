@@ -1,5 +1,6 @@
 #include "render/photon_pass.h"
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "gl/texture.h"
 
@@ -15,11 +16,13 @@ enum {
     /* The coarse picture by which throwing surfaces are looked for, and the paths in each of its pixels. */
     COARSE_SIDE = 64,
     COARSE_PATHS = 4,
-    COARSE_HITS = 4
+    COARSE_HITS = 4,
+    /* Paths in a second, before it is measured. */
+    FIRST_GUESS = 300000
 };
 
 /* The number of light paths for each path from the camera. */
-static const double paths_a_path = 0.5;
+static const double paths_a_path = 0.25;
 
 static bool compile(Program *program, const Pass *pass, const GlApi *gl, const Plan *plan,
                     const RenderParams *params, Error *error) {
@@ -33,7 +36,8 @@ static bool compile(Program *program, const Pass *pass, const GlApi *gl, const P
 }
 
 static void attach(const PhotonPass *pass) {
-    static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT0 + 1, GL_COLOR_ATTACHMENT0 + 2};
+    static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT0 + 1,
+                                     GL_COLOR_ATTACHMENT0 + 2};
     const GLuint textures[] = {pass->places, pass->lights, pass->starts};
     pass->gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
     for (int i = 0; i < 3; i++)
@@ -41,12 +45,13 @@ static void attach(const PhotonPass *pass) {
     pass->gl->DrawBuffers(3, buffers);
 }
 
-bool photon_pass_create(PhotonPass *pass, const Context *context, const Plan *plan, const RenderParams *params,
-                        Error *error) {
+bool photon_pass_create(PhotonPass *pass, const Context *context, const Plan *plan,
+                        const RenderParams *params, Error *error) {
     const GlApi *gl = &context->gl;
     *pass = (PhotonPass){0};
     if (!plan->sun.method->traces_light) return true;
     pass->gl = gl;
+    pass->paths_per_second = FIRST_GUESS;
     pass->places = texture_create(gl, BATCH_COLUMNS, BATCH_ROWS, GL_NEAREST, NULL);
     pass->lights = texture_create(gl, BATCH_COLUMNS, BATCH_ROWS, GL_NEAREST, NULL);
     pass->starts = texture_create(gl, BATCH_COLUMNS, BATCH_ROWS, GL_NEAREST, NULL);
@@ -154,9 +159,17 @@ uint64_t photon_pass_due(const PhotonPass *pass, double samples) {
     return due > 0 ? (uint64_t)ceil(due) : 0;
 }
 
-uint64_t photon_pass_draw(PhotonPass *pass, Film *film, uint64_t paths) {
-    uint64_t rows = (paths + BATCH_COLUMNS - 1) / BATCH_COLUMNS;
-    if (rows > BATCH_ROWS) rows = BATCH_ROWS;
+/* A whole number of rows with so many paths, but no more rows than are traced in that time. llvmpipe shades
+ * four rows together. */
+static uint64_t rows_for(const PhotonPass *pass, uint64_t paths, double seconds) {
+    double fit = 4 * floor(seconds * pass->paths_per_second / BATCH_COLUMNS / 4);
+    double rows = ceil((double)paths / BATCH_COLUMNS);
+    return (uint64_t)fmin(fmin(rows, BATCH_ROWS), fmax(fit, 4));
+}
+
+uint64_t photon_pass_draw(PhotonPass *pass, Film *film, uint64_t paths, double seconds) {
+    uint64_t rows = rows_for(pass, paths, seconds);
+    double begin = clock_seconds();
     trace(pass, (int)rows);
     program_use(&pass->points);
     program_set_texture(&pass->points, "splat_places", pass->places);
@@ -164,6 +177,8 @@ uint64_t photon_pass_draw(PhotonPass *pass, Film *film, uint64_t paths) {
     film_splat_begin(film, &pass->points);
     program_draw_points(&pass->points, (int)rows * BATCH_COLUMNS);
     film_splat_end(film, (double)rows * BATCH_COLUMNS);
+    pass->gl->Finish();
+    pass->paths_per_second = (double)rows * BATCH_COLUMNS / fmax(clock_seconds() - begin, 1e-6);
     pass->next += rows * BATCH_COLUMNS;
     return rows * BATCH_COLUMNS;
 }

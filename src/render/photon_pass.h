@@ -17,6 +17,8 @@ typedef struct PhotonPass {
     Aim aim;
     /* Light paths for each sample of all pixels together; 0 if none are traced. */
     double paths_a_sample;
+    /* Measured; it sets the size of batches where time is short. */
+    double paths_per_second;
     /* The number of the next path. */
     uint64_t next;
 } PhotonPass;
@@ -37,5 +39,6 @@ void photon_pass_give(const PhotonPass *pass, const Program *trace);
 /* The number of paths that are still to be traced when the film has these samples in all pixels. */
 uint64_t photon_pass_due(const PhotonPass *pass, double samples);
 
-/* Traces at most `paths` paths, and about a tenth of a second's work, into the film. Returns how many. */
-uint64_t photon_pass_draw(PhotonPass *pass, Film *film, uint64_t paths);
+/* Traces about `paths` paths, or as many as a batch has or as take `seconds`, into the film. They are whole
+ * rows of a batch, and there is at least one. Returns how many paths they are. */
+uint64_t photon_pass_draw(PhotonPass *pass, Film *film, uint64_t paths, double seconds);

@@ -40,7 +40,7 @@ typedef struct Renderer {
     /* Measured for groups of samples; it sets the size of the draws. */
     double pixels_per_second;
     /* For renderer_advance(): the size of the group in progress, 0 if there is none, and its first row that
-     * is not drawn yet. */
+     * is not drawn yet. If that is the film's height, only light paths are missing. */
     unsigned group;
     int row;
     /* The paths of the files that were compiled, with blanks between. */
@@ -76,6 +76,10 @@ MUST_CHECK bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)
  * is added. */
 MUST_CHECK bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, unsigned samples,
                                 bool (*stop)(void), bool *stopped, Error *error);
+
+/* Traces so many light paths more, in whole rows, or fewer when `stop` (may be NULL) returns true.
+ * film.light_paths counts them. The other passes trace those that belong to their samples by themselves. */
+MUST_CHECK bool renderer_light(Renderer *renderer, uint64_t paths, bool (*stop)(void), Error *error);
 
 /* Draws for about `seconds` (at least two rows), or until `stop` (may be NULL) returns true. It continues the
  * unfinished group, or starts one of at most `samples`, and commits it after its last row. Other programs and

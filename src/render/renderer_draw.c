@@ -1,6 +1,9 @@
 #include "render/renderer_draw.h"
 
+#include "base/clock.h"
 #include "gl/strips.h"
+
+#include <math.h>
 
 void renderer_begin_group(Renderer *renderer, unsigned group) {
     const Program *program = &renderer->program;
@@ -20,15 +23,21 @@ static bool draw_group(Renderer *renderer, const Rectangle *regions, int count, 
     return strips_draw(&renderer->program, regions, count, &renderer->pixels_per_second, stop);
 }
 
-/* Traces the light paths that belong to the film's samples. */
-static void catch_up(Renderer *renderer, bool (*stop)(void)) {
-    uint64_t due = photon_pass_due(&renderer->light, (double)renderer->film.samples);
-    while (due) {
-        uint64_t done = photon_pass_draw(&renderer->light, &renderer->film, due);
-        due = due > done ? due - done : 0;
-        renderer->gl->Finish();
-        if (stop && stop()) return;
+/* Traces light paths for about `seconds`, until there are `paths` of them more or `stop` returns true.
+ * Returns whether there are. */
+static bool trace_light(Renderer *renderer, uint64_t paths, double seconds, bool (*stop)(void)) {
+    double end = clock_seconds() + seconds;
+    while (paths) {
+        uint64_t done = photon_pass_draw(&renderer->light, &renderer->film, paths, end - clock_seconds());
+        paths = paths > done ? paths - done : 0;
+        if (clock_seconds() > end || (stop && stop())) break;
     }
+    return !paths;
+}
+
+/* Traces the light paths that belong to so many samples of each pixel. */
+static bool catch_up(Renderer *renderer, double samples, double seconds, bool (*stop)(void)) {
+    return trace_light(renderer, photon_pass_due(&renderer->light, samples), seconds, stop);
 }
 
 bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error) {
@@ -40,7 +49,7 @@ bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Err
     if (!film->samples && stop) film_clear_next(film);
     bool stopped = !draw_group(renderer, &all, 1, group, stop);
     if (!stopped || film->samples == 0) film_commit(film, group);
-    if (!stopped) catch_up(renderer, stop);
+    if (!stopped) catch_up(renderer, (double)film->samples, INFINITY, stop);
     return gl_check(renderer->gl, "drawing a pass", error);
 }
 
@@ -51,10 +60,16 @@ bool renderer_refine(Renderer *renderer, const Rectangle *regions, int count, un
     return gl_check(renderer->gl, "refining regions", error);
 }
 
+bool renderer_light(Renderer *renderer, uint64_t paths, bool (*stop)(void), Error *error) {
+    trace_light(renderer, paths, INFINITY, stop);
+    return gl_check(renderer->gl, "tracing light paths", error);
+}
+
 bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, bool (*stop)(void),
                       Error *error) {
     Film *film = &renderer->film;
     Rectangle all = {0, 0, film->width, film->height};
+    double end = clock_seconds() + seconds;
     if (renderer->row == 0) {
         unsigned last = renderer->group;
         renderer->group =
@@ -62,10 +77,14 @@ bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, bool
         renderer->pixels_per_second *= (double)last / renderer->group;
     }
     if (renderer->row == 0) image_pass_draw(&renderer->image, film, &all, 1, renderer->group);
-    renderer_begin_group(renderer, renderer->group);
-    strips_draw_for(&renderer->program, film->width, film->height, &renderer->row,
-                    &renderer->pixels_per_second, seconds, stop);
-    if (renderer->row == film->height) {
+    if (renderer->row < film->height) {
+        renderer_begin_group(renderer, renderer->group);
+        strips_draw_for(&renderer->program, film->width, film->height, &renderer->row,
+                        &renderer->pixels_per_second, seconds, stop);
+        if (clock_seconds() > end) return gl_check(renderer->gl, "drawing a pass", error);
+    }
+    double wanted = (double)film->samples + renderer->group;
+    if (catch_up(renderer, wanted, end - clock_seconds(), stop)) {
         film_commit(film, renderer->group);
         renderer->row = 0;
     }

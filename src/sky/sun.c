@@ -25,8 +25,8 @@ void sun_slots(SlotList *slots, const MethodChoice *choice, const Scene *scene) 
     slot_file(slots, "planes", planes ? "sun/planes.glsl" : "sun/planes_none.glsl");
 }
 
-/* Whether the scene may throw sunlight on its surfaces in a way that rays to the sun do not find. A scene that
- * names some of its mirrors is taken to name all of them. */
+/* Whether the scene may throw sunlight on its surfaces in a way that rays to the sun do not find. A scene
+ * that names some of its mirrors is taken to name all of them. */
 static bool throws_light(const Scene *scene) {
     const SceneFacts *facts = &scene->file->facts;
     bool named = scene_hint_count(scene, HINT_MIRROR_SPHERE) + scene_hint_count(scene, HINT_MIRROR_PLANE) > 0;

@@ -17,12 +17,19 @@ bool display_create(Display *display, const Context *context, const char *librar
              program_create(&display->programs[way], &context->gl, &source, error);
         glsl_source_destroy(&source);
     }
+    if (ok) {
+        GlslSource source;
+        ok = glsl_source_create(&source, sources, "pass/join.glsl", NULL, error) &&
+             program_create(&display->join, &context->gl, &source, error);
+        glsl_source_destroy(&source);
+    }
     source_store_release(sources);
     return ok;
 }
 
 void display_destroy(Display *display) {
     for (int way = 0; way < DISPLAY_WAYS; way++) program_destroy(&display->programs[way]);
+    program_destroy(&display->join);
 }
 
 static const Program *use(const Display *display, DisplayWay way, const DisplayParams *params) {
@@ -41,9 +48,10 @@ static const Program *use(const Display *display, DisplayWay way, const DisplayP
     return program;
 }
 
-/* The texture of the film's sums. What `rest` would add is too small to show in 8 bits. */
-static GLuint front(const Film *film) {
-    return film->target.textures[film->target.front][0];
+/* The texture of the film's sums. What `rest` would add is too small to show in 8 bits. Another framebuffer
+ * may be bound afterwards. */
+static GLuint front(const Display *display, const Film *film) {
+    return film_join(film, &display->join);
 }
 
 static GLuint back(const Film *film) {
@@ -61,10 +69,10 @@ static void draw_part(const Display *display, const DisplayParams *params, GLuin
 }
 
 static void draw_side(const Display *display, const DisplayParams *params, const DisplaySide *side,
-                      const int columns[2]) {
+                      GLuint front, const int columns[2]) {
     int upper[2] = {0, side->next ? side->rows : 0}, lower[2] = {upper[1], params->height};
     if (side->next) draw_part(display, params, back(side->next), side->next, columns, upper);
-    draw_part(display, params, front(side->film), side->film, columns, lower);
+    draw_part(display, params, front, side->film, columns, lower);
 }
 
 static void draw_all(const Program *program, const DisplayParams *params) {
@@ -77,10 +85,10 @@ static void draw_raw(const Display *display, const DisplayParams *params) {
     draw_all(program, params);
 }
 
-static void draw_difference(const Display *display, const DisplayParams *params) {
+static void draw_difference(const Display *display, const DisplayParams *params, const GLuint fronts[2]) {
     const Program *program = use(display, DISPLAY_DIFFERENCE, params);
-    program_set_texture(program, "film_a", front(params->sides[0].film));
-    program_set_texture(program, "film_b", front(params->sides[1].film));
+    program_set_texture(program, "film_a", fronts[0]);
+    program_set_texture(program, "film_b", fronts[1]);
     draw_all(program, params);
 }
 
@@ -89,24 +97,28 @@ bool display_draw(const Display *display, const DisplayParams *params, Error *er
     const DisplaySide *sides = params->sides;
     int divider = sides[1].film ? (int)round(params->divider * params->width) : params->width;
     int left[2] = {0, divider}, right[2] = {divider, params->width};
+    GLuint fronts[2] = {0};
+    for (int i = 0; i < 2; i++)
+        if (sides[i].film) fronts[i] = front(display, sides[i].film);
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl->Viewport(0, 0, params->width, params->height);
     if (params->raw) {
         draw_raw(display, params);
     } else if (params->difference > 0) {
-        draw_difference(display, params);
+        draw_difference(display, params, fronts);
     } else {
-        draw_side(display, params, &sides[0], left);
-        if (sides[1].film) draw_side(display, params, &sides[1], right);
+        draw_side(display, params, &sides[0], fronts[0], left);
+        if (sides[1].film) draw_side(display, params, &sides[1], fronts[1], right);
     }
     return gl_check(gl, "showing the picture", error);
 }
 
 void display_cells(const Display *display, const Film *film, const Target *cells) {
     const DisplayParams params = {.width = cells->width, .height = cells->height};
+    GLuint sums = front(display, film);
     cells->gl->BindFramebuffer(GL_FRAMEBUFFER, cells->framebuffer[1 - cells->front]);
     cells->gl->Viewport(0, 0, cells->width, cells->height);
     const Program *program = use(display, DISPLAY_CELLS, &params);
-    program_set_texture(program, "film_a", front(film));
+    program_set_texture(program, "film_a", sums);
     draw_all(program, &params);
 }

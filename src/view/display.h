@@ -16,6 +16,8 @@ typedef enum DisplayWay {
 
 typedef struct Display {
     Program programs[DISPLAY_WAYS];
+    /* For film_join(). */
+    Program join;
 } Display;
 
 /* A film. While the next picture's first group of samples is drawn, its rows so far are shown over the film.

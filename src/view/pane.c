@@ -210,7 +210,7 @@ static bool draw_samples(Pane *pane, const PaneParams *params, Error *error) {
     double taken = fmax(clock_seconds() - begin, 1e-6);
     int rows = film->samples > before ? film->height - first_row : renderer->row - first_row;
     uint64_t paths = (uint64_t)rows * (uint64_t)film->width * renderer->group;
-    measure(pane, (double)paths / taken);
+    if (paths) measure(pane, (double)paths / taken);
     pane->paths += paths;
     pane->seconds += taken;
     if (!pane->preview_samples && film->samples > before)

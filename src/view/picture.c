@@ -143,7 +143,8 @@ static DisplaySide display_side(const Pane *pane) {
     const Film *film = &pane->renderer.film;
     bool has_picture = film->samples > 0 || !pane->kept.target.gl;
     if (has_picture) return (DisplaySide){film, NULL, 0};
-    return (DisplaySide){&pane->kept, film, pane->renderer.row};
+    /* Its rows lack the light that is traced from the sun. */
+    return (DisplaySide){&pane->kept, film, film->splat ? 0 : pane->renderer.row};
 }
 
 /* The radiance at the ends of the false colours; 0 if they are not shown. */
