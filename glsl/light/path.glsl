@@ -37,7 +37,8 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             path_after(memory, path, alive);
         }
     } while (alive);
-    vec3 disk = sun_escaped(path.sun, path.ray);
-    if (path.escaped) sun_count(path.sun, path.throughput, path.ray, disk);
+    float share = sun_share(path.sun.traced * path.sun.peak, path.ray);
+    vec3 disk = share * sun_escaped(path.sun, path.ray.direction);
+    if (path.escaped) sun_count(path.sun, share * path.throughput, path.ray.direction, path.throughput * disk);
     return path_finish(memory, path, disk);
 }

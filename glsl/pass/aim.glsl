@@ -10,8 +10,8 @@ uniform float aim_distance;
 // The number of light paths for each sample of a pixel. It is 0 if none are traced.
 uniform float aim_paths;
 
-vec2 aim_node(int i) {
-    return texelFetch(aim_tree, ivec2(i, 0), 0).xy;
+vec4 aim_node(int i) {
+    return texelFetch(aim_tree, ivec2(i, 0), 0);
 }
 
 vec4 aim_rectangle() {

@@ -97,15 +97,17 @@ void photon_turn(INOUT(Photon) photon, Hit hit, Material material, Bounce bounce
     photon.power *= bounce.weight;
 }
 
-// The path after a hit that scatters. The weight is f cos / density for light that goes this way, from the value for light that goes to the camera.
-void photon_scatter(INOUT(Photon) photon, Hit hit, Material material, Bounce bounce, bool direct) {
+// The path after a hit that scatters. Returns the weight, f cos / density for light that goes this way, from the value for light that goes to the camera.
+vec3 photon_scatter(INOUT(Photon) photon, Hit hit, Material material, Bounce bounce, bool direct) {
     float cos_in = max(-dot(hit.normal, photon.ray.direction), 1.0e-6);
     float cos_out = abs(dot(hit.normal, bounce.direction));
     vec3 value = material_value(material, hit.normal, -bounce.direction, -photon.ray.direction);
-    photon.power *= value * (cos_out / (cos_in * bounce.pdf));
+    vec3 weight = value * (cos_out / (cos_in * bounce.pdf));
+    photon.power *= weight;
     photon.traced *= direct ? balance_end(hit.normal, material, -bounce.direction, -photon.ray.direction)
                             : balance_between(hit.normal, material, -bounce.direction, -photon.ray.direction);
     photon.scattered = true;
+    return weight;
 }
 
 // One hit. Returns whether the path goes on.
@@ -116,6 +118,7 @@ bool photon_hit(INOUT(Photon) photon, INOUT(Sequence) sequence) {
     if (alive) {
         vec2 u = sequence_pair(sequence);
         vec2 v = sequence_pair(sequence);
+        float survival = photon.hits < ROULETTE_HITS ? 1.0 : ROULETTE_SURVIVAL;
         Material material = surface_material(hit);
         Bounce bounce = material_sample(material, hit.normal, photon.ray.direction, u, v);
         photon.power *= light_through(photon.ray, hit.t);
@@ -126,15 +129,15 @@ bool photon_hit(INOUT(Photon) photon, INOUT(Sequence) sequence) {
                 photon.traced /= direct ? 1.0 : sun_solid_angle();
             }
             if (alive && !direct) photon_join(photon, hit, material, direct, sequence_pair(sequence).x);
-            photon_scatter(photon, hit, material, bounce, direct);
+            vec3 weight = photon_scatter(photon, hit, material, bounce, direct);
+            survival = min(max(weight.x, max(weight.y, weight.z)), ROULETTE_SURVIVAL);
         } else {
             photon_turn(photon, hit, material, bounce);
         }
         photon.ray = ray_from(hit, bounce.direction);
-        // The power has units, so roulette looks at the bounce alone.
-        float survival = photon.hits < ROULETTE_HITS ? 1.0 : ROULETTE_SURVIVAL;
+        // Roulette keeps the power of the light that goes on: later joints bring less, so there may be fewer of them.
         alive = alive && !(v.y >= survival) && max(photon.power.x, max(photon.power.y, photon.power.z)) > 0.0;
-        photon.power /= survival;
+        photon.power /= max(survival, 1.0e-6);
     }
     return alive;
 }

@@ -4,56 +4,77 @@
 #include "sun/disk.glsl"
 #include "math/frame.glsl"
 
-// The node's texel: x is where the halves meet, and y is 0 if the cut is across the plane's first axis, 1 across its second. The two nodes below
-// node i are 2 i and 2 i + 1; the root is 1.
-vec2 aim_node(int i);
+// A node cuts its box in two, and each half in two again. Its texel holds the place of the first cut, those of the cuts of the lower and of the
+// upper half, and the axes: 1 if the first cut is across the plane's second axis, plus 2 and 4 for the other two. The boxes of node i are the nodes
+// 4 i + 1 to 4 i + 4; the root is 0.
+vec4 aim_node(int i);
 // The rectangle's least and largest coordinates.
 vec4 aim_rectangle();
 // The plane's distance from the origin toward the sun.
 float aim_top();
 
-// Halvings from the root to a leaf. The loop over them is written out, because some drivers limit loops (src/gl/loops.h).
-const int AIM_LEVELS = 10;
+// Nodes from the root to a leaf. The loop over them is written out, because some drivers limit loops (src/gl/loops.h).
 const float AIM_LEAVES = 1024.0;
 // The part of the paths that is spread evenly.
 const float AIM_EVEN = 0.1;
 
 struct AimWalk {
     int node;
-    // The node's rectangle: least and largest coordinates.
+    // The node's box: least and largest coordinates.
     vec4 box;
 };
 
-// Goes down to the first or the second half.
-void aim_step(INOUT(AimWalk) walk, vec2 cut, bool second) {
-    bool across = cut.y > 0.5;
-    float low = second ? cut.x : walk.box.x;
-    float high = second ? walk.box.z : cut.x;
-    if (across) {
-        walk.box.y = second ? cut.x : walk.box.y;
-        walk.box.w = second ? walk.box.w : cut.x;
-    } else {
-        walk.box.x = low;
-        walk.box.z = high;
-    }
-    walk.node = 2 * walk.node + (second ? 1 : 0);
+// Cuts the box and keeps one half.
+vec4 aim_half(vec4 box, float cut, bool across, bool upper) {
+    return vec4(upper && !across ? cut : box.x, upper && across ? cut : box.y, !upper && !across ? cut : box.z, !upper && across ? cut : box.w);
 }
 
-// Goes down to the half that holds the point.
+// The cuts of a node: the first, and the one of a half.
+struct AimCut {
+    float place;
+    bool across;
+};
+
+AimCut aim_first(vec4 node) {
+    int axes = int(node.w);
+    return AimCut(node.x, axes - axes / 2 * 2 > 0);
+}
+
+AimCut aim_second(vec4 node, bool upper) {
+    int axes = int(node.w);
+    return AimCut(upper ? node.z : node.y, upper ? axes >= 4 : axes - axes / 4 * 4 >= 2);
+}
+
+void aim_step(INOUT(AimWalk) walk, AimCut first, bool upper, AimCut second, bool upper_second) {
+    walk.box = aim_half(aim_half(walk.box, first.place, first.across, upper), second.place, second.across, upper_second);
+    walk.node = 4 * walk.node + 1 + (upper ? 2 : 0) + (upper_second ? 1 : 0);
+}
+
+// Goes to the box that holds the point.
 void aim_find(INOUT(AimWalk) walk, vec2 at) {
-    vec2 cut = aim_node(walk.node);
-    aim_step(walk, cut, (cut.y > 0.5 ? at.y : at.x) >= cut.x);
+    vec4 node = aim_node(walk.node);
+    AimCut first = aim_first(node);
+    bool upper = (first.across ? at.y : at.x) >= first.place;
+    AimCut second = aim_second(node, upper);
+    aim_step(walk, first, upper, second, (second.across ? at.y : at.x) >= second.place);
 }
 
-// Goes down to a random half. The number that chose is stretched to [0, 1) again.
-void aim_draw(INOUT(AimWalk) walk, INOUT(vec2) u) {
-    vec2 cut = aim_node(walk.node);
-    bool across = cut.y > 0.5;
+// Chooses a half by u, whose part is stretched to [0, 1) again.
+bool aim_choose(INOUT(vec2) u, bool across) {
     float twice = 2.0 * (across ? u.y : u.x);
-    bool second = twice >= 1.0;
-    float rest = second ? twice - 1.0 : twice;
+    bool upper = twice >= 1.0;
+    float rest = upper ? twice - 1.0 : twice;
     u = vec2(across ? u.x : rest, across ? rest : u.y);
-    aim_step(walk, cut, second);
+    return upper;
+}
+
+// Goes to a random box.
+void aim_draw(INOUT(AimWalk) walk, INOUT(vec2) u) {
+    vec4 node = aim_node(walk.node);
+    AimCut first = aim_first(node);
+    bool upper = aim_choose(u, first.across);
+    AimCut second = aim_second(node, upper);
+    aim_step(walk, first, upper, second, aim_choose(u, second.across));
 }
 
 float aim_area(vec4 box) {
@@ -63,12 +84,7 @@ float aim_area(vec4 box) {
 // The density of the paths on the plane, 1/m^2.
 float aim_density_at(vec2 at) {
     vec4 all = aim_rectangle();
-    AimWalk walk = AimWalk(1, all);
-    aim_find(walk, at);
-    aim_find(walk, at);
-    aim_find(walk, at);
-    aim_find(walk, at);
-    aim_find(walk, at);
+    AimWalk walk = AimWalk(0, all);
     aim_find(walk, at);
     aim_find(walk, at);
     aim_find(walk, at);
@@ -81,13 +97,8 @@ float aim_density_at(vec2 at) {
 
 // Draws a point of the plane from u and choice in [0, 1).
 vec2 aim_sample(vec2 u, float choice) {
-    AimWalk walk = AimWalk(1, aim_rectangle());
+    AimWalk walk = AimWalk(0, aim_rectangle());
     vec2 v = u;
-    aim_draw(walk, v);
-    aim_draw(walk, v);
-    aim_draw(walk, v);
-    aim_draw(walk, v);
-    aim_draw(walk, v);
     aim_draw(walk, v);
     aim_draw(walk, v);
     aim_draw(walk, v);

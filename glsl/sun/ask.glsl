@@ -52,7 +52,12 @@ vec3 sun_reflected(SunState state, Hit hit, Material material, vec3 incoming, in
 SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incoming, Bounce bounce);
 
 // The radiance of the disk to a ray that leaves the scene.
-vec3 sun_escaped(SunState state, Ray ray);
+vec3 sun_escaped(SunState state, vec3 direction);
 
-// Counts a path that has left the scene along `ray`, if its sunlight was left to chance. `disk` is what sun_escaped() returned.
-void sun_count(SunState state, vec3 throughput, Ray ray, vec3 disk);
+// The share of the disk's light that a path counts which leaves the scene along `ray` (sun/share.glsl). `traced` is the product of the state's members
+// traced and peak.
+float sun_share(float traced, Ray ray);
+
+// Counts a path that has left the scene, if its sunlight was left to chance. `worth` is its throughput times its share of the light, and `brought` the
+// light of the disk that it brings.
+void sun_count(SunState state, vec3 worth, vec3 direction, vec3 brought);

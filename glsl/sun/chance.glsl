@@ -14,6 +14,6 @@ SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incom
     return SunState(SUN_CHANCE, scattered, 1.0, material.kind, 1.0 / sun_solid_angle(), 0.0);
 }
 
-vec3 sun_escaped(SunState state, Ray ray) {
-    return sun_radiance(ray.direction);
+vec3 sun_escaped(SunState state, vec3 direction) {
+    return sun_radiance(direction);
 }

@@ -64,9 +64,6 @@ SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incom
     return next;
 }
 
-vec3 sun_escaped(SunState state, Ray ray) {
-    bool counts = state.found == SUN_CHANCE || state.found == SUN_SHOWN;
-    vec3 radiance = counts ? sun_radiance(ray.direction) : vec3(0.0);
-    if (max(radiance.x, max(radiance.y, radiance.z)) > 0.0) radiance *= sun_share(state.traced * state.peak, ray);
-    return radiance;
+vec3 sun_escaped(SunState state, vec3 direction) {
+    return state.found == SUN_CHANCE || state.found == SUN_SHOWN ? sun_radiance(direction) : vec3(0.0);
 }

@@ -10,9 +10,6 @@
 // mirrors and glass on the way. What is left of each hit is the density of the one bounce over that of the other, and two cosines.
 #include "sun/ask.glsl"
 
-// The share for a path that leaves the scene along `ray`. `traced` is R without the density of the light paths across the ray.
-float sun_share(float traced, Ray ray);
-
 // The share of the light that comes from the sun, in the direction `toward`, straight to a hit. `traced` is SunState.traced before the hit.
 float sun_share_reflected(float traced, Hit hit, Material material, vec3 incoming, vec3 toward);
 

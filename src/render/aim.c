@@ -22,11 +22,6 @@ typedef struct Place {
     double at[2], light;
 } Place;
 
-typedef struct Tree {
-    Aim *aim;
-    Place *places;
-} Tree;
-
 static int by_first(const void *a, const void *b) {
     const Place *p = a, *q = b;
     return p->at[0] != q->at[0] ? (p->at[0] > q->at[0]) - (p->at[0] < q->at[0])
@@ -50,32 +45,58 @@ static double middle_of_light(const Place *places, int count, int axis) {
     return places[count - 1].at[axis];
 }
 
-/* Cuts the node across the longer side of its box. */
-static void cut(const Tree *tree, int node, int first, int count, const double box[4]) {
-    if (node >= AIM_NODES) return;
-    Place *places = tree->places + first;
-    double sides[2] = {box[2] - box[0], box[3] - box[1]};
+/* A box and the places in it. */
+typedef struct Box {
+    double sides[4];
+    Place *places;
+    int count;
+} Box;
+
+typedef struct Halves {
+    float where;
+    int axis;
+    Box box[2];
+} Halves;
+
+/* Cuts a box across its longer side. */
+static Halves cut(const Box *box) {
+    double sides[2] = {box->sides[2] - box->sides[0], box->sides[3] - box->sides[1]};
     int axis = sides[1] > sides[0], before = 0;
-    double at = box[axis] + sides[axis] / 2, thin = thinnest * sides[axis];
-    qsort(places, (size_t)count, sizeof *places, axis ? by_second : by_first);
-    if (count >= FEWEST_PLACES) at = middle_of_light(places, count, axis);
-    float where = (float)fmin(fmax(at, box[axis] + thin), box[axis + 2] - thin);
-    tree->aim->nodes[node][0] = where;
-    tree->aim->nodes[node][1] = (float)axis;
-    while (before < count && places[before].at[axis] < (double)where) before++;
-    double low[4] = {box[0], box[1], box[2], box[3]}, high[4] = {box[0], box[1], box[2], box[3]};
-    low[axis + 2] = high[axis] = (double)where;
-    cut(tree, 2 * node, first, before, low);
-    cut(tree, 2 * node + 1, first + before, count - before, high);
+    double low = box->sides[axis], at = low + sides[axis] / 2, thin = thinnest * sides[axis];
+    qsort(box->places, (size_t)box->count, sizeof *box->places, axis ? by_second : by_first);
+    if (box->count >= FEWEST_PLACES) at = middle_of_light(box->places, box->count, axis);
+    Halves halves = {(float)fmin(fmax(at, low + thin), low + sides[axis] - thin), axis, {*box, *box}};
+    double where = (double)halves.where;
+    while (before < box->count && box->places[before].at[axis] < where) before++;
+    halves.box[0].sides[axis + 2] = halves.box[1].sides[axis] = where;
+    halves.box[0].count = before;
+    halves.box[1].places += before;
+    halves.box[1].count -= before;
+    return halves;
+}
+
+static void make_node(Aim *aim, int node, const Box *box) {
+    if (node >= AIM_NODES) return;
+    Halves first = cut(box);
+    float *texel = aim->nodes[node];
+    texel[0] = first.where;
+    int axes = first.axis;
+    for (int i = 0; i < 2; i++) {
+        Halves second = cut(&first.box[i]);
+        texel[1 + i] = second.where;
+        axes += second.axis << (1 + i);
+        for (int k = 0; k < 2; k++) make_node(aim, 4 * node + 1 + 2 * i + k, &second.box[k]);
+    }
+    texel[3] = (float)axes;
 }
 
 /* Makes the tree. The places' order changes. */
 static void make_tree(Aim *aim, Place *places, int count) {
     double mean = 0;
-    Tree tree = {aim, places};
+    Box all = {{aim->box[0], aim->box[1], aim->box[2], aim->box[3]}, places, count};
     for (int i = 0; i < count; i++) mean += places[i].light / count;
     for (int i = 0; i < count; i++) places[i].light = fmin(places[i].light, most_light * mean);
-    cut(&tree, 1, 0, count, aim->box);
+    make_node(aim, 0, &all);
 }
 
 void aim_begin(Aim *aim, const float *places, int count, double spread) {

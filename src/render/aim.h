@@ -4,7 +4,8 @@
 
 #include <stdbool.h>
 
-enum { AIM_LEVELS = 10, AIM_NODES = 1 << AIM_LEVELS };
+/* Nodes from the root to a leaf, and all nodes: 1 + 4 + 16 + 64 + 256. */
+enum { AIM_LEVELS = 5, AIM_NODES = 341 };
 
 typedef struct Aim {
     /* The least and the largest coordinates of the rectangle in which they begin, in metres. */
@@ -13,8 +14,7 @@ typedef struct Aim {
     double top;
     /* Whether anything throws light. If not, the rest means nothing. */
     bool any;
-    /* 4 floats for each node: where it is cut in two, and 0 or 1 for the axis across which. Node 0 is not
-     * used. */
+    /* 4 floats for each node, as glsl/sun/aim.glsl describes them. */
     float nodes[AIM_NODES][4];
 } Aim;
 
