@@ -22,7 +22,7 @@ enum {
 };
 
 /* The number of light paths for each path from the camera. */
-static const double paths_a_path = 0.25;
+static const double paths_a_path = 0.4;
 
 static bool compile(Program *program, const Pass *pass, const GlApi *gl, const Plan *plan,
                     const RenderParams *params, Error *error) {
