@@ -44,7 +44,7 @@ static void test_usage(void **state) {
                    "render scenes/crater.glsl --sky table:uniform -o '%s'", out);
     support_expect(2, "a table is filled by gauss or paper",
                    "render scenes/crater.glsl --sky table:table -o '%s'", out);
-    support_expect(2, "--sun-disk: unknown method 'frob' (known: auto, off, sampled, chance)",
+    support_expect(2, "--sun-disk: unknown method 'frob' (known: auto, off, sampled, traced, chance)",
                    "render scenes/crater.glsl --sun-disk=frob -o '%s'", out);
     support_expect(2, "takes no numbers", "render scenes/crater.glsl --light cosine:3 -o '%s'", out);
     support_expect(2, "unknown backend 'vulkan' (known: auto, egl, osmesa, glfw)",
@@ -418,7 +418,7 @@ static void test_by_chance(void **state) {
             support_expect(0, "",
                            "render scenes/%s.glsl --atmosphere simmons2017 --size 32x32 --spp 16 --sun 30 %s "
                            "--progress json -o '%s'",
-                           cases[i].scene, disk ? "--sun-disk" : "--sun-disk=off",
+                           cases[i].scene, disk ? "--sun-disk=sampled" : "--sun-disk=off",
                            support_path("chance.exr"));
             bool warned = strstr(support_err, "found by chance") != NULL;
             bool expected = disk && cases[i].thrown;

@@ -50,7 +50,7 @@ static void test_files(void **state) {
     support_expect(0, "", "explain scenes/crater.glsl --size 8x8 -vv");
     expect_row("material: ", "matte mirror, not author");
     expect_row("  shape: ", "plane_minus_sphere sphere, not box");
-    expect_row("  sun: ", "ask off, not chance");
+    expect_row("  sun: ", "ask off share share_whole, not aim");
     const char *out = support_path("a.exr");
     support_expect(0, "sky gauss:", "render scenes/crater.glsl --size 8x8 --spp 1 -v -o '%s'", out);
     assert_null(strstr(support_err, "compiled: "));

@@ -109,7 +109,8 @@ static const Method methods[] = {
      .name = "paper",
      .file = "light/paper.glsl",
      .about =
-         "the bounce of the paper's program, lobe 2 cos^3 / pi: not Lambert's, so that the picture differs"},
+         "the bounce of the paper's program, lobe 2 cos^3 / pi: not Lambert's, so that the picture differs",
+     .own_lobe = true},
 
     {.family = METHOD_SEQUENCE,
      .name = "additive",

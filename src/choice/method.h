@@ -60,6 +60,8 @@ typedef struct Method {
     /* A light: how often a path evaluates the sky, beside once at its end and at each hit that looks for it.
      */
     int extra_sky_lookups;
+    /* A light: its matte surfaces are not Lambert's, as those that light paths from the sun meet are. */
+    bool own_lobe;
 
     /* A sequence: its points are more even than independent ones. */
     bool low_discrepancy;

@@ -200,6 +200,7 @@ static bool render(RenderJob *job, Error *error) {
         if (!sample(job, error)) return false;
         interrupt_keep();
         figures->paths = job->adaptive.paths;
+        figures->light_paths = job->renderer.film.light_paths;
         figures->samples = (double)figures->paths / pixels;
         if (!aov_pass(&job->aov, &job->renderer, (uint64_t)figures->samples, interrupt_requested, error))
             return false;

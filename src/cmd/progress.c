@@ -102,6 +102,7 @@ static void report_json(const ProgressFigures *figures) {
     json_flag(&json, "done", figures->done);
     json_number(&json, "samples", figures->samples);
     json_count(&json, "paths", figures->paths);
+    if (figures->light_paths > 0) json_count(&json, "light_paths", (uint64_t)figures->light_paths);
     json_seconds(&json, "seconds", figures->seconds);
     json_seconds(&json, "startup_seconds", figures->startup_seconds);
     json_number(&json, "paths_per_s", (double)figures->paths / fmax(figures->seconds, 1e-9));

@@ -25,6 +25,8 @@ typedef struct ProgressFigures {
     /* 0 if something else limits the picture. */
     uint64_t target_samples;
     uint64_t paths;
+    /* Paths from the sun (render/photon_pass.h). */
+    double light_paths;
     /* The estimated error in each measure (error/noise.h), and the part of it that is noise; infinite while
      * they are not known. The rest is the sky's bias. */
     double error[NOISE_MEASURES], noise[NOISE_MEASURES];

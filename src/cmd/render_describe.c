@@ -33,6 +33,8 @@ void render_describe(const RenderJob *job, int argc, char **argv, AttributeList 
     attribute_add(list, "magichour.samples_range", "%" PRIu64 " to %" PRIu64, job->adaptive.least,
                   job->adaptive.most);
     if (job->figures.sun_by_chance) attribute_add(list, "magichour.sun_by_chance", "true");
+    if (job->figures.light_paths > 0)
+        attribute_add(list, "magichour.light_paths", "%.0f", job->figures.light_paths);
     if (job->chance.paths > 0) {
         attribute_add(list, "magichour.chance_paths_percent", "%.3g", 100 * job->chance.paths);
         attribute_add(list, "magichour.chance_pixels_percent", "%.3g", 100 * job->chance.pixels);

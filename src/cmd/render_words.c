@@ -63,9 +63,10 @@ void render_say_summary(const RenderJob *job) {
     printf(": %.4g samples", figures->samples);
     if (adaptive->most > adaptive->least)
         printf(" (%" PRIu64 " to %" PRIu64 ")", adaptive->least, adaptive->most);
-    printf(", %.4g Mpaths in %.2f s, %.2f Mpaths/s (and %.2f s to start)", 1e-6 * (double)figures->paths,
-           figures->seconds, 1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9),
-           figures->startup_seconds);
+    printf(", %.4g Mpaths", 1e-6 * (double)figures->paths);
+    if (figures->light_paths > 0) printf(" and %.4g Mpaths from the sun", 1e-6 * figures->light_paths);
+    printf(" in %.2f s, %.2f Mpaths/s (and %.2f s to start)", figures->seconds,
+           1e-6 * (double)figures->paths / fmax(figures->seconds, 1e-9), figures->startup_seconds);
     say_error(job);
     printf("\n");
 }
@@ -102,8 +103,10 @@ static void warn_chance(const RenderJob *job) {
     chance_throwers(chance->materials, &job->scene.file->facts, throwers, sizeof throwers);
     fprintf(stderr,
             "magichour: warning: %s: sunlight that is thrown by %s is found by chance: about %.2g %% of the "
-            "picture's light, in %.2g %% of its pixels (%.2g %% of the paths)\n",
-            job->scene.file->path, throwers, 100 * chance->light, 100 * chance->pixels, 100 * chance->paths);
+            "picture's light, in %.2g %% of its pixels (%.2g %% of the paths)%s\n",
+            job->scene.file->path, throwers, 100 * chance->light, 100 * chance->pixels, 100 * chance->paths,
+            job->renderer.plan.sun.method->traces_light ? ": it is seen in mirrors or through glass"
+                                                        : "; --sun-disk=traced finds most of it");
 }
 
 static void warn_promise(const RenderJob *job) {

@@ -15,8 +15,10 @@ enum { FEWEST_PLACES = 8 };
 /* A path that brought more than so many times the mean counts as if it had brought that much. */
 static const double most_light = 8;
 
-/* A part must not be thinner than this share of the node that it is cut from. */
-static const double thinnest = 0.02;
+/* A part must not be thinner than this share of the node that it is cut from, and not so thin that a float of
+ * its coordinates has no digits for it: these are shares of the largest coordinate, for a part and for the
+ * rectangle. */
+static const double thinnest = 0.02, thinnest_part = 4e-6, thinnest_rectangle = 4e-4;
 
 typedef struct Place {
     double at[2], light;
@@ -50,6 +52,8 @@ typedef struct Box {
     double sides[4];
     Place *places;
     int count;
+    /* Parts must not be thinner than this. */
+    double least;
 } Box;
 
 typedef struct Halves {
@@ -62,7 +66,8 @@ typedef struct Halves {
 static Halves cut(const Box *box) {
     double sides[2] = {box->sides[2] - box->sides[0], box->sides[3] - box->sides[1]};
     int axis = sides[1] > sides[0], before = 0;
-    double low = box->sides[axis], at = low + sides[axis] / 2, thin = thinnest * sides[axis];
+    double low = box->sides[axis], at = low + sides[axis] / 2;
+    double thin = fmin(fmax(thinnest * sides[axis], box->least), sides[axis] / 2);
     qsort(box->places, (size_t)box->count, sizeof *box->places, axis ? by_second : by_first);
     if (box->count >= FEWEST_PLACES) at = middle_of_light(box->places, box->count, axis);
     Halves halves = {(float)fmin(fmax(at, low + thin), low + sides[axis] - thin), axis, {*box, *box}};
@@ -90,10 +95,17 @@ static void make_node(Aim *aim, int node, const Box *box) {
     texel[3] = (float)axes;
 }
 
+static double largest(const double box[4]) {
+    return fmax(fmax(fabs(box[0]), fabs(box[1])), fmax(fabs(box[2]), fabs(box[3])));
+}
+
 /* Makes the tree. The places' order changes. */
 static void make_tree(Aim *aim, Place *places, int count) {
     double mean = 0;
-    Box all = {{aim->box[0], aim->box[1], aim->box[2], aim->box[3]}, places, count};
+    Box all = {{aim->box[0], aim->box[1], aim->box[2], aim->box[3]},
+               places,
+               count,
+               thinnest_part * largest(aim->box)};
     for (int i = 0; i < count; i++) mean += places[i].light / count;
     for (int i = 0; i < count; i++) places[i].light = fmin(places[i].light, most_light * mean);
     make_node(aim, 0, &all);
@@ -115,7 +127,9 @@ void aim_begin(Aim *aim, const float *places, int count, double spread) {
     if (aim->any) {
         double extent = fmax(fmax(high[0] - low[0], high[1] - low[1]), fmax(high[2] - low[2], 1e-3));
         aim->top = high[2] + headroom * extent;
-        double wider = margin * extent + spread * (aim->top - low[2]);
+        double wider = margin * extent + spread * (aim->top - low[2]),
+               corners[4] = {low[0], low[1], high[0], high[1]};
+        wider = fmax(wider, thinnest_rectangle * largest(corners));
         for (int k = 0; k < 2; k++) {
             aim->box[k] = (double)(float)(low[k] - wider);
             aim->box[k + 2] = (double)(float)(high[k] + wider);

@@ -99,13 +99,17 @@ static void draw(const PhotonPass *pass, const Program *program, int width, int 
     program_draw(program, 0, 0, width, rows);
 }
 
+/* Makes the program of light paths the one in use, for the next of them. */
+static void use(const PhotonPass *pass) {
+    program_use(&pass->photons);
+    photon_pass_give(pass, &pass->photons);
+    program_set_uint(&pass->photons, "photon_first", (unsigned)pass->next);
+    program_set_uint(&pass->photons, "photon_columns", BATCH_COLUMNS);
+}
+
 static void trace(const PhotonPass *pass, int rows) {
-    const Program *program = &pass->photons;
-    program_use(program);
-    photon_pass_give(pass, program);
-    program_set_uint(program, "photon_first", (unsigned)pass->next);
-    program_set_uint(program, "photon_columns", BATCH_COLUMNS);
-    draw(pass, program, BATCH_COLUMNS, rows);
+    use(pass);
+    draw(pass, &pass->photons, BATCH_COLUMNS, rows);
 }
 
 /* Finds places that throw light, and aims at them. */
@@ -132,25 +136,27 @@ static void upload(const PhotonPass *pass) {
     texture_resize(pass->gl, pass->tree, AIM_NODES, 1, pass->aim.nodes[0]);
 }
 
+/* Improves the aim by the light that a batch of paths brings. */
+static void improve(PhotonPass *pass) {
+    float *starts = memory_get((size_t)AIM_ROWS * BATCH_COLUMNS * 4, sizeof *starts);
+    trace(pass, AIM_ROWS);
+    read(pass, 2, BATCH_COLUMNS, AIM_ROWS, starts);
+    aim_improve(&pass->aim, starts, AIM_ROWS * BATCH_COLUMNS);
+    free(starts);
+    upload(pass);
+}
+
 bool photon_pass_aim(PhotonPass *pass, const Frame *frame, bool traces, Error *error) {
     if (!pass->gl) return true;
     double pixels = (double)frame->camera.width * frame->camera.height;
     pass->next = 0;
-    pass->paths_a_sample = 0;
     pass->aim.any = false;
-    if (!traces) return true;
-    if (!find_throwers(pass, frame, error)) return false;
-    if (pass->aim.any) {
-        float *starts = memory_get((size_t)AIM_ROWS * BATCH_COLUMNS * 4, sizeof *starts);
-        upload(pass);
-        pass->paths_a_sample = paths_a_path * pixels;
-        trace(pass, AIM_ROWS);
-        read(pass, 2, BATCH_COLUMNS, AIM_ROWS, starts);
-        aim_improve(&pass->aim, starts, AIM_ROWS * BATCH_COLUMNS);
-        free(starts);
-        upload(pass);
-    }
+    if (traces && !find_throwers(pass, frame, error)) return false;
+    pass->paths_a_sample = pass->aim.any ? paths_a_path * pixels : 0;
+    upload(pass);
+    if (pass->aim.any) improve(pass);
     if (!pass->aim.any) pass->paths_a_sample = 0;
+    use(pass);
     return program_check(&pass->photons, error) && gl_check(pass->gl, "aiming light paths", error);
 }
 

@@ -115,6 +115,17 @@ static bool mirrors_alone_block(const Scene *scene) {
     return same == bounds;
 }
 
+/* Light paths know Lambert's matte surfaces alone. */
+static bool check_light_paths(Plan *plan, const RenderParams *params, Error *error) {
+    if (!plan->sun.method->traces_light || !plan->light.method->own_lobe) return true;
+    if (method_is_auto(params->sun_disk)) return method_choose(&plan->sun, METHOD_SUN, "sampled", error);
+    return error_set(
+        error, STATUS_USAGE,
+        "--sun-disk %s: light paths cannot be traced with --light %s, whose matte surfaces are not "
+        "Lambert's; use --sun-disk sampled",
+        plan->sun.text, plan->light.text);
+}
+
 static bool choose_methods(Plan *plan, const RenderParams *params, Error *error) {
     const Scene *scene = params->scene;
     const char *sky = params->sky ? params->sky : scene->file->sky[0] ? scene->file->sky : NULL;
@@ -136,7 +147,8 @@ static bool choose_methods(Plan *plan, const RenderParams *params, Error *error)
         return error_prefix(error, "%s:%d: ", scene->file->path, scene->file->sky_line);
     }
     return auto_light(&plan->light, params->light, &plan->sky, &wish, error) &&
-           method_choose(&plan->sequence, METHOD_SEQUENCE, params->sequence, error);
+           method_choose(&plan->sequence, METHOD_SEQUENCE, params->sequence, error) &&
+           check_light_paths(plan, params, error);
 }
 
 int plan_width(const RenderParams *params) {
