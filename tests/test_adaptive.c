@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "error/adaptive.h"
+#include "error/noise_figures.h"
 #include "image/compare.h"
 
 #include <math.h>

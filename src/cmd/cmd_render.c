@@ -6,6 +6,7 @@
 #include "cmd/render_job.h"
 #include "cmd/render_toy.h"
 #include "cmd/setup.h"
+#include "error/noise_figures.h"
 #include "image/format.h"
 #include "render/chance.h"
 

@@ -4,6 +4,7 @@
 #include "base/json.h"
 #include "cmd/interrupt.h"
 #include "cmd/terminal.h"
+#include "error/noise_figures.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -1,5 +1,6 @@
 #include "base/version.h"
 #include "cmd/render_job.h"
+#include "error/noise_figures.h"
 #include "image/sun_pixels.h"
 #include "render/describe.h"
 

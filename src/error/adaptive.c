@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/memory.h"
+#include "error/noise_figures.h"
 #include "error/tile_plan.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "error/noise_parts.h"
+#include "error/noise.h"
 
 #include "base/memory.h"
 

@@ -1,4 +1,4 @@
-#include "error/noise_parts.h"
+#include "error/noise_figures.h"
 #include "image/levels.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 #include "error/promise.h"
 
+#include "error/noise_figures.h"
 #include "render/chance.h"
 
 #include <math.h>

@@ -1,6 +1,7 @@
 #include "error/tile_plan.h"
 
 #include "base/memory.h"
+#include "error/noise_figures.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,7 +2,6 @@
 
 #include "choice/bias.h"
 #include "render/drawn_mirrors.h"
-#include "render/renderer_draw.h"
 
 #include <math.h>
 #include <string.h>

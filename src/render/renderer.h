@@ -66,6 +66,10 @@ MUST_CHECK bool renderer_restart(Renderer *renderer, const Context *context, con
 MUST_CHECK bool renderer_prepare(Renderer *renderer, const RenderParams *params, double seconds,
                                  bool (*stop)(void), Error *error);
 
+/* Makes the tracing program the one in use, for a group of so many samples that the film takes in next. The
+ * passes below do it by themselves. */
+void renderer_begin_group(Renderer *renderer, unsigned group);
+
 /* Adds one group of at most `samples` samples to each pixel. It draws strips of rows, so that `stop` (may be
  * NULL) is called about ten times a second. When `stop` returns true, the unfinished group is dropped; if it
  * is the first, its finished rows are kept. Returns false on failure only, not when stopped. */

@@ -1,4 +1,4 @@
-#include "render/renderer_draw.h"
+#include "render/renderer.h"
 
 #include "base/clock.h"
 #include "gl/strips.h"

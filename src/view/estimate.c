@@ -1,5 +1,7 @@
 #include "view/estimate.h"
 
+#include "error/noise_figures.h"
+
 #include <math.h>
 
 /* An error is known after three doublings, and is not claimed before 16 samples. */
