@@ -41,8 +41,8 @@ static MethodNames method_names(const Options *options) {
     copy_name(names.further, sizeof names.further, options->further);
     copy_name(names.sequence, sizeof names.sequence, options->sequence);
     copy_name(names.sun_disk, sizeof names.sun_disk, options->sun_disk);
-    if (options->sun_disk && !names.sun_disk[0])
-        copy_name(names.sun_disk, sizeof names.sun_disk, method_family(METHOD_SUN)->fallback);
+    /* An empty name would leave the disk as the scene has it. */
+    if (options->sun_disk && !names.sun_disk[0]) snprintf(names.sun_disk, sizeof names.sun_disk, "auto");
     return names;
 }
 

@@ -18,8 +18,9 @@ bool display_create(Display *display, const Context *context, const char *librar
         glsl_source_destroy(&source);
     }
     if (ok) {
+        const GlslSlot none[] = {{NULL, NULL, NULL}};
         GlslSource source;
-        ok = glsl_source_create(&source, sources, "pass/join.glsl", NULL, error) &&
+        ok = glsl_source_create(&source, sources, "pass/join.glsl", none, error) &&
              program_create(&display->join, &context->gl, &source, error);
         glsl_source_destroy(&source);
     }
