@@ -30,7 +30,7 @@ static void test_usage(void **state) {
                    support_path("out.jpg"));
     support_expect(2, "unknown method 'frob' (known: auto, gauss, table, paper, uniform)",
                    "render scenes/crater.glsl --sky frob -o '%s'", out);
-    support_expect(2, "unknown method 'frob' (known: auto, cosine, control, mis, paper)",
+    support_expect(2, "unknown method 'frob' (known: auto, cosine, control, mis, portal, paper)",
                    "render scenes/crater.glsl --light frob -o '%s'", out);
     support_expect(2, "unknown method 'frob' (known: auto, additive, random, sobol)",
                    "render scenes/crater.glsl --sequence frob -o '%s'", out);
