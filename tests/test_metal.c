@@ -3,6 +3,8 @@
 #include "facets.h"
 #include "support.h"
 
+#include "image/format.h"
+
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -74,6 +76,43 @@ static void test_furnace(void **state) {
                   worst, smooth);
 }
 
+/* Nor can balls of it be seen that reflect each other, whichever way directions are drawn. */
+static void test_white_balls(void **state) {
+    (void)state;
+    static const char *const lights[] = {"cosine", "mis"};
+    const char *scene =
+        support_write("white.glsl", "//@ camera eye 0 0 -8  target 0 0 0  fov 40\n//@ sky uniform:1\n"
+                                    "#include \"material/rough_metal.glsl\"\n#include \"shape/sphere.glsl\"\n"
+                                    "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
+                                    "    hit_sphere(ray, vec3(-1.4, -1.4, 0.0), 1.0, 0, hit);\n"
+                                    "    hit_sphere(ray, vec3(1.4, -1.4, 0.0), 1.0, 1, hit);\n"
+                                    "    hit_sphere(ray, vec3(-1.4, 1.4, 0.0), 1.0, 2, hit);\n"
+                                    "    hit_sphere(ray, vec3(1.4, 1.4, 0.0), 1.0, 3, hit);\n}\n"
+                                    "Material scene_material(Hit hit) {\n"
+                                    "    return rough_metal(vec3(1.0), 0.25 * float(hit.object + 1));\n}\n");
+    for (int k = 0; k < 2; k++) {
+        Image image;
+        Error error;
+        double mean[2][2] = {{0}}, count[2][2] = {{0}};
+        support_expect(0, "", "render '%s' --light %s --size 64x64 --spp 1024 --quiet -o '%s'", scene,
+                       lights[k], support_path("white.pfm"));
+        assert_true(image_read(&image, support_path("white.pfm"), &error));
+        for (int i = 0; i < 64 * 64; i++) {
+            double value = (double)image.rgba[4 * i];
+            int x = i % 64 / 32, y = i / 64 / 32;
+            if (fabs(value - 1) < 1e-7) continue; /* past the balls */
+            mean[y][x] += value;
+            count[y][x]++;
+        }
+        image_free(&image);
+        for (int i = 0; i < 4; i++) {
+            double ball = mean[i / 2][i % 2] / count[i / 2][i % 2];
+            print_message("%s, a white ball in the picture: 1%+.4f\n", lights[k], ball - 1);
+            assert_true(count[i / 2][i % 2] > 500 && fabs(ball - 1) < 0.007); /* the fit and the noise */
+        }
+    }
+}
+
 /* At alpha 1 the light that leaves after one facet has a closed form. */
 static void test_walk(void **state) {
     (void)state;
@@ -129,7 +168,7 @@ static void test_against_walk(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_furnace), cmocka_unit_test(test_walk),
-                                       cmocka_unit_test(test_against_walk)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_furnace), cmocka_unit_test(test_white_balls),
+                                       cmocka_unit_test(test_walk), cmocka_unit_test(test_against_walk)};
     return cmocka_run_group_tests_name("metal", tests, support_folder, support_clean);
 }
