@@ -94,12 +94,12 @@ static void test_white_balls(void **state) {
         Image image;
         Error error;
         double mean[2][2] = {{0}}, count[2][2] = {{0}};
-        support_expect(0, "", "render '%s' --light %s --size 64x64 --spp 1024 --quiet -o '%s'", scene,
+        support_expect(0, "", "render '%s' --light %s --size 96x96 --spp 1024 --quiet -o '%s'", scene,
                        lights[k], support_path("white.pfm"));
         assert_true(image_read(&image, support_path("white.pfm"), &error));
-        for (int i = 0; i < 64 * 64; i++) {
+        for (int i = 0; i < 96 * 96; i++) {
             double value = (double)image.rgba[4 * i];
-            int x = i % 64 / 32, y = i / 64 / 32;
+            int x = i % 96 / 48, y = i / 96 / 48;
             if (fabs(value - 1) < 1e-7) continue; /* past the balls */
             mean[y][x] += value;
             count[y][x]++;
