@@ -327,7 +327,7 @@ static void test_auto(void **state) {
             wish.sun_disk = i & 1;
             sky = choose(i & 2 ? "gauss:8" : NULL, 1, light_suns[k], &atmosphere);
             assert_true(auto_light(&light, NULL, &sky, &wish, &error));
-            bool portal = !(i & 2) && !(i & 1 && light_suns[k] > 10);
+            bool portal = !(i & 2) && !(i & 1 && light_suns[k] > 5);
             assert_string_equal(light.text, portal ? "portal" : "cosine");
         }
     }

@@ -48,8 +48,8 @@ MUST_CHECK bool auto_further(MethodChoice *choice, const char *text, const char 
 MUST_CHECK bool auto_sky(MethodChoice *choice, const char *text, const MethodChoice *further,
                          const AutoWish *wish, Error *error);
 
-/* Chooses a light method. NULL or "auto" stands for portal in a room that the sun itself does not light, else
- * for mis where a low sun shines on what stands upright, else for control where the sky is a table and the
- * scene has bounds, else for cosine. */
+/* Chooses a light method. NULL or "auto" stands for portal in a room that the sun itself does not light (a
+ * low one lights little), else for mis where a low sun shines on what stands upright, else for control where
+ * the sky is a table and the scene has bounds, else for cosine. */
 MUST_CHECK bool auto_light(MethodChoice *choice, const char *text, const MethodChoice *sky,
                            const AutoWish *wish, Error *error);
