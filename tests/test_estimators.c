@@ -82,8 +82,8 @@ static void test_planes(void **state) {
             COUNT(places), "--sun-disk=chance", others, COUNT(others));
 }
 
-/* Rays through the house's window: under the sky alone, and beside the rays toward the sun. With a lower sun the
- * bounces' own noise is too far from normal at so many samples: most pixels miss the glow. */
+/* Rays through the house's window: under the sky alone, and beside the rays toward the sun. With a lower sun
+ * the bounces' own noise is too far from normal at so many samples: most pixels miss the glow. */
 static void test_portal(void **state) {
     (void)state;
     static const char *const places[] = {"--sun 60,250", "--sun 20,70", "--sun 30,250 --sun-disk"};
