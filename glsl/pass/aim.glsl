@@ -5,8 +5,9 @@
 uniform sampler2D aim_tree;
 // The rectangle's least and largest coordinates.
 uniform vec4 aim_box;
-// The plane's distance from the origin toward the sun.
-uniform float aim_distance;
+// The distances from the origin toward the sun of the plane, and of the places where light paths begin.
+uniform float aim_middle;
+uniform float aim_highest;
 // The number of light paths for each sample of a pixel. It is 0 if none are traced.
 uniform float aim_paths;
 
@@ -18,8 +19,12 @@ vec4 aim_rectangle() {
     return aim_box;
 }
 
+float aim_plane() {
+    return aim_middle;
+}
+
 float aim_top() {
-    return aim_distance;
+    return aim_highest;
 }
 
 float light_paths_a_sample() {

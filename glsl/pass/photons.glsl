@@ -149,7 +149,7 @@ void main() {
     vec3 toward = sun_point(sequence_pair(sequence));
     vec2 at = aim_sample(u, sequence_pair(sequence).x);
     float density = aim_density_at(at) / dot(toward, sun_middle());
-    Ray away = Ray(aim_position(at), toward);
+    Ray away = Ray(aim_begin(at, toward), toward);
     Photon photon = Photon(Ray(away.origin, -toward), vec3(0.0), density, 0, 0, false, false, 1.0);
     if (density > 0.0) photon.power = sun_radiance(toward) * light_arriving(away) * (sun_solid_angle() / density);
     bool alive = max(photon.power.x, max(photon.power.y, photon.power.z)) > 0.0;

@@ -1,4 +1,4 @@
-// Where light paths begin. They begin on a plane that faces the sun and lies before the scene, and are dense where surfaces throw light into the picture. The density is
+// Where light paths begin. They cross a plane that faces the sun and goes through the surfaces that throw light, and are dense where surfaces throw light into the picture. The density is
 // constant in each leaf of a tree that halves the plane's rectangle again and again, and all leaves have the same share of the paths. A part of the
 // paths is spread evenly over the rectangle. The host makes the tree from surfaces that a few paths have met (src/render/aim.c).
 #include "sun/disk.glsl"
@@ -10,7 +10,8 @@
 vec4 aim_node(int i);
 // The rectangle's least and largest coordinates.
 vec4 aim_rectangle();
-// The plane's distance from the origin toward the sun.
+// The plane's distance from the origin toward the sun, and that of the places where light paths begin.
+float aim_plane();
 float aim_top();
 
 // Nodes from the root to a leaf. The loop over them is written out, because some drivers limit loops (src/gl/loops.h).
@@ -115,16 +116,17 @@ vec3 aim_coordinates(vec3 position) {
     return vec3(dot(position, in_frame(middle, 1.0, 0.0, 0.0)), dot(position, in_frame(middle, 0.0, 1.0, 0.0)), dot(position, middle));
 }
 
-// The point of the plane with these coordinates.
-vec3 aim_position(vec2 at) {
-    return in_frame(sun_middle(), at.x, at.y, aim_top());
+// The place where a light path begins that crosses the plane at these coordinates and comes from the direction `toward`.
+vec3 aim_begin(vec2 at, vec3 toward) {
+    vec3 crossing = in_frame(sun_middle(), at.x, at.y, aim_plane());
+    return crossing + (aim_top() - aim_plane()) / dot(toward, sun_middle()) * toward;
 }
 
 // The density of light paths that come to `position` from the direction `toward`, per square metre across that direction and for paths of all
-// directions of the disk. It is 0 beyond the plane.
+// directions of the disk. It is 0 beyond the places where they begin.
 float aim_density(vec3 position, vec3 toward) {
     float cosine = max(dot(toward, sun_middle()), 1.0e-3);
-    float distance = (aim_top() - dot(position, sun_middle())) / cosine;
-    vec3 at = aim_coordinates(position + distance * toward);
-    return distance > 0.0 ? aim_density_at(vec2(at.x, at.y)) / cosine : 0.0;
+    float height = dot(position, sun_middle());
+    vec3 at = aim_coordinates(position + (aim_plane() - height) / cosine * toward);
+    return height < aim_top() ? aim_density_at(vec2(at.x, at.y)) / cosine : 0.0;
 }

@@ -5,9 +5,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The rectangle is wider than the places on each side, and the plane is higher, by these parts of their
+/* The rectangle is wider than the places on each side, and paths begin higher, by these parts of their
  * extent: they are samples, and a surface reaches farther than its samples. */
 static const double margin = 0.1, headroom = 0.5;
+
+/* The rectangle leaves out this part of the places on each side, which may be as far as the horizon. */
+static const double left_out = 0.002;
 
 /* A node with fewer places is cut in the middle, so that single places do not draw all light paths. */
 enum { FEWEST_PLACES = 8 };
@@ -111,32 +114,53 @@ static void make_tree(Aim *aim, Place *places, int count) {
     make_node(aim, 0, &all);
 }
 
+static int by_value(const void *a, const void *b) {
+    const double *p = a, *q = b;
+    return (*p > *q) - (*p < *q);
+}
+
+/* The values between which all but `left_out` of the coordinates on either side are, and the middle one. */
+typedef struct Range {
+    double low, middle, high;
+} Range;
+
+static Range range_of(double *values, int count) {
+    int out = (int)(left_out * count);
+    qsort(values, (size_t)count, sizeof *values, by_value);
+    return (Range){values[out], values[count / 2], values[count - 1 - out]};
+}
+
+/* Sets the rectangle, the plane and where paths begin. */
+static void frame(Aim *aim, const Range range[3], double spread) {
+    double extent = 1e-3, corners[4] = {range[0].low, range[1].low, range[0].high, range[1].high};
+    for (int k = 0; k < 3; k++) extent = fmax(extent, range[k].high - range[k].low);
+    aim->plane = range[2].middle;
+    aim->top = range[2].high + headroom * extent;
+    double off = fmax(range[2].high - aim->plane, aim->plane - range[2].low);
+    double wider = fmax(margin * extent + spread * off, thinnest_rectangle * largest(corners));
+    for (int k = 0; k < 4; k++) aim->box[k] = (double)(float)(corners[k] + (k < 2 ? -wider : wider));
+}
+
 void aim_begin(Aim *aim, const float *places, int count, double spread) {
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     Place *found = memory_get((size_t)count + 1, sizeof *found);
+    double *values = memory_get((size_t)count + 1, 3 * sizeof *values);
     int used = 0;
     *aim = (Aim){0};
     for (int i = 0; i < count; i++) {
         const float *p = places + 4 * i;
         if (!(p[3] > 0) || !isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2])) continue;
-        for (int k = 0; k < 3; k++)
-            low[k] = fmin(low[k], (double)p[k]), high[k] = fmax(high[k], (double)p[k]);
+        for (int k = 0; k < 3; k++) values[k * count + used] = (double)p[k];
         found[used++] = (Place){{(double)p[0], (double)p[1]}, 1};
     }
     aim->any = used > 0;
     if (aim->any) {
-        double extent = fmax(fmax(high[0] - low[0], high[1] - low[1]), fmax(high[2] - low[2], 1e-3));
-        aim->top = high[2] + headroom * extent;
-        double wider = margin * extent + spread * (aim->top - low[2]),
-               corners[4] = {low[0], low[1], high[0], high[1]};
-        wider = fmax(wider, thinnest_rectangle * largest(corners));
-        for (int k = 0; k < 2; k++) {
-            aim->box[k] = (double)(float)(low[k] - wider);
-            aim->box[k + 2] = (double)(float)(high[k] + wider);
-        }
+        Range range[3];
+        for (int k = 0; k < 3; k++) range[k] = range_of(values + k * count, used);
+        frame(aim, range, spread);
         make_tree(aim, found, used);
     }
     free(found);
+    free(values);
 }
 
 void aim_improve(Aim *aim, const float *starts, int count) {

@@ -1,4 +1,4 @@
-/* Where light paths begin: a plane that faces the sun, on which they are dense where surfaces throw light
+/* Where light paths go: they cross a plane that faces the sun, on which they are dense where surfaces throw light
  * into the picture (glsl/sun/aim.glsl). */
 #pragma once
 
@@ -8,10 +8,10 @@
 enum { AIM_LEVELS = 5, AIM_NODES = 341 };
 
 typedef struct Aim {
-    /* The least and the largest coordinates of the rectangle in which they begin, in metres. */
+    /* The least and the largest coordinates of the rectangle in which they cross the plane, in metres. */
     double box[4];
-    /* The plane's distance from the origin, toward the sun. */
-    double top;
+    /* The distances from the origin toward the sun of the plane, and of the places where they begin. */
+    double plane, top;
     /* Whether anything throws light. If not, the rest means nothing. */
     bool any;
     /* 4 floats for each node, as glsl/sun/aim.glsl describes them. */

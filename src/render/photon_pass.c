@@ -88,7 +88,8 @@ void photon_pass_give(const PhotonPass *pass, const Program *program) {
     if (!pass->gl) return;
     program_set_texture(program, "aim_tree", pass->tree);
     program_set_vec4(program, "aim_box", pass->aim.box);
-    program_set_float(program, "aim_distance", pass->aim.top);
+    program_set_float(program, "aim_middle", pass->aim.plane);
+    program_set_float(program, "aim_highest", pass->aim.top);
     program_set_float(program, "aim_paths", pass->paths_a_sample);
 }
 
