@@ -1,5 +1,5 @@
-/* Where light paths go: they cross a plane that faces the sun, on which they are dense where surfaces throw light
- * into the picture (glsl/sun/aim.glsl). */
+/* Where light paths go: they cross a plane that faces the sun, on which they are dense where surfaces throw
+ * light into the picture (glsl/sun/aim.glsl). */
 #pragma once
 
 #include <stdbool.h>
