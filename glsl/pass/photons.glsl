@@ -21,8 +21,9 @@
 
 uniform uint seed;
 uniform int max_hits;
-// The number of the first texel's path, and the number of texels in a row.
+// The number of the first texel's path in its lower and its upper 32 bits, and the number of texels in a row.
 uniform uint photon_first;
+uniform uint photon_lap;
 uniform uint photon_columns;
 
 // The joint's pixel, from the picture's top left corner; its light for 1 path; and the place of the path on the plane of sun/aim.glsl, with the
@@ -100,7 +101,7 @@ void photon_turn(INOUT(Photon) photon, Hit hit, Material material, Bounce bounce
 // The path after a hit that scatters. Returns the weight, f cos / density for light that goes this way, from the value for light that goes to the camera.
 vec3 photon_scatter(INOUT(Photon) photon, Hit hit, Material material, Bounce bounce, bool direct) {
     float cos_in = max(-dot(hit.normal, photon.ray.direction), 1.0e-6);
-    float cos_out = abs(dot(hit.normal, bounce.direction));
+    float cos_out = max(dot(hit.normal, bounce.direction), 0.0);
     vec3 value = material_value(material, hit.normal, -bounce.direction, -photon.ray.direction);
     vec3 weight = value * (cos_out / (cos_in * bounce.pdf));
     photon.power *= weight;
@@ -144,7 +145,7 @@ bool photon_hit(INOUT(Photon) photon, INOUT(Sequence) sequence) {
 
 void main() {
     uint index = photon_first + uint(gl_FragCoord.y) * photon_columns + uint(gl_FragCoord.x);
-    Sequence sequence = sequence_start(0u, 0u, index, seed ^ 0x2c1b3c6du);
+    Sequence sequence = sequence_start(0u, 0u, index, seed ^ (0x2c1b3c6du + photon_lap));
     vec2 u = sequence_pair(sequence);
     vec3 toward = sun_point(sequence_pair(sequence));
     vec2 at = aim_sample(u, sequence_pair(sequence).x);

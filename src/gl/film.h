@@ -125,8 +125,8 @@ MUST_CHECK bool film_read(const Film *film, Image *image, FilmCount *count, Erro
 /* Reads the number of accepted samples: one float a pixel. */
 MUST_CHECK bool film_read_samples(const Film *film, float *samples, Error *error);
 
-/* Reads the estimated variance of each pixel's mean: 3 floats a pixel, NaN where fewer than two groups were
- * taken. The film must have FILM_SCATTER. */
+/* Reads the estimated variance of each pixel's mean, without that of the second sum: 3 floats a pixel, NaN
+ * where fewer than two groups were taken. The film must have FILM_SCATTER. */
 MUST_CHECK bool film_read_variance(const Film *film, float *rgb, Error *error);
 
 /* All counts are 0 for a film without FILM_SEARCH. */
@@ -141,7 +141,7 @@ typedef struct FilmPixel {
     double radiance[3];
     /* The number of accepted samples. */
     double samples;
-    /* The estimated variance of the mean, as in film_read_variance(). */
+    /* The estimated variance of the mean, as in film_read_variance(): without that of the second sum. */
     double variance[3];
 } FilmPixel;
 

@@ -105,6 +105,7 @@ static void use(const PhotonPass *pass) {
     program_use(&pass->photons);
     photon_pass_give(pass, &pass->photons);
     program_set_uint(&pass->photons, "photon_first", (unsigned)pass->next);
+    program_set_uint(&pass->photons, "photon_lap", (unsigned)(pass->next >> 32));
     program_set_uint(&pass->photons, "photon_columns", BATCH_COLUMNS);
 }
 

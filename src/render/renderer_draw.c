@@ -49,7 +49,8 @@ bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Err
     if (!film->samples && stop) film_clear_next(film);
     bool stopped = !draw_group(renderer, &all, 1, group, stop);
     if (!stopped || film->samples == 0) film_commit(film, group);
-    if (!stopped) catch_up(renderer, (double)film->samples, INFINITY, stop);
+    /* Without any light path, the share of the light that they count would be missing. */
+    if (!stopped || !(film->light_paths > 0)) catch_up(renderer, (double)film->samples, INFINITY, stop);
     return gl_check(renderer->gl, "drawing a pass", error);
 }
 
