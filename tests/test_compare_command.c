@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#define TINY "--size 16x16 --spp 1 --sky uniform"
+
 /* A picture of that size, of one value but for one pixel's red. */
 static const char *write_picture(const char *name, int width, int height, float value, float red, int pixel) {
     Error error;
@@ -159,12 +161,66 @@ static void test_command_pictures(void **state) {
     support_expect(5, "none/a.png", "compare '%s' '%s' -o '%s/none/a.png'", a, b, support_path("x"));
 }
 
+static void test_compare(void **state) {
+    (void)state;
+    const char *a = support_path("a.exr"), *b = support_path("b.pfm"), *c = support_path("c.pfm");
+    support_expect(0, "", "render scenes/crater.glsl " TINY " --quiet -o '%s' -o '%s'", a, b);
+    support_expect(0, "", "render scenes/crater.glsl " TINY " --seed 1 --quiet -o '%s'", c);
+    support_expect(0, "", "compare '%s' '%s' --max-relrmse 0 --max-bias 0", a, b);
+    assert_non_null(strstr(support_out, "relRMSE      0.0000 %"));
+    support_expect(6, "differs from", "compare '%s' '%s' --max-relrmse 0.001", a, c);
+    support_expect(0, "", "compare '%s' '%s' --max-relrmse 1000", a, c);
+    support_expect(0, "", "render scenes/crater.glsl --size 8x8 --spp 1 --sky uniform --quiet -o '%s'", c);
+    support_expect(2, "16x16", "compare '%s' '%s'", a, c);
+}
+
+/* A grey picture with a sun of 1e5 in some pixels, and metadata that name the sun's pixels. */
+static void write_sun(const char *path, float grey, const char *pixels, const char *exposure) {
+    Error error;
+    AttributeList list = {0};
+    Image image = image_create(20, 20);
+    for (int i = 0; i < 4 * 400; i++) image.rgba[i] = i / 80 == 3 && i / 4 % 20 < 5 ? 1e5F * grey : grey;
+    if (pixels) attribute_add(&list, "magichour.sun_pixels", "%s", pixels);
+    if (exposure) attribute_add(&list, "magichour.exposure", "%s", exposure);
+    assert_true(image_write(&image, path, &(ImageWriteParams){.attributes = &list}, &error));
+    attribute_list_free(&list);
+    image_free(&image);
+}
+
+/* The pixels of the sun's image in either file are left out; the levels have the reference's exposure. */
+static void test_compare_shown(void **state) {
+    (void)state;
+    const char *a = support_path("shown.exr"), *b = support_path("shown2.exr"),
+               *bad = support_path("bad.exr");
+    write_sun(a, 0.11F, "0,3,3,1", NULL);
+    write_sun(b, 0.1F, "2,3,3,1", "1");
+    support_expect(0, "", "compare '%s' '%s' --max-relrmse 10.001", a, b);
+    assert_non_null(strstr(support_out, "sun pixels   5 left out"));
+    assert_non_null(strstr(support_out, "pixels       395, 0 not finite"));
+    double level = tone_level(TONE_AUTHOR, 2, (double)0.11F) - tone_level(TONE_AUTHOR, 2, (double)0.1F);
+    char line[64];
+    snprintf(line, sizeof line, "levels RMS   %.4f of 255", level);
+    assert_non_null(strstr(support_out, line));
+    support_expect(0, "", "compare '%s' '%s' --max-levels %g", a, b, level + 0.001);
+    support_expect(6, "differs from", "compare '%s' '%s' --max-levels %g", a, b, level - 0.001);
+    support_expect(6, "differs from", "compare '%s' '%s' --with-sun --max-relrmse 10.001", a, b);
+    assert_non_null(strstr(support_out, "sun pixels   0 left out"));
+    support_expect(0, "", "compare '%s' '%s' --exposure -2 --tone none", a, b);
+    level = tone_level(TONE_NONE, 0.25, (double)0.11F) - tone_level(TONE_NONE, 0.25, (double)0.1F);
+    snprintf(line, sizeof line, "levels RMS   %.4f of 255", level);
+    assert_non_null(strstr(support_out, line));
+    write_sun(bad, 0.1F, "0,3,50,1", NULL);
+    support_expect(1, "bad.exr: sun pixels: '0,3,50,1' is not inside", "compare '%s' '%s'", a, bad);
+    support_expect(0, "", "compare '%s' '%s' --with-sun", a, bad);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_command_layers),    cmocka_unit_test(test_command_outside),
         cmocka_unit_test(test_command_nonfinite), cmocka_unit_test(test_command_png),
         cmocka_unit_test(test_command_json),      cmocka_unit_test(test_command_quiet),
-        cmocka_unit_test(test_command_pictures),
+        cmocka_unit_test(test_command_pictures),  cmocka_unit_test(test_compare),
+        cmocka_unit_test(test_compare_shown),
     };
     return cmocka_run_group_tests_name("compare_command", tests, support_folder, support_clean);
 }
