@@ -2,7 +2,7 @@
 #include "support.h"
 
 #include <string.h>
-#include <sys/stat.h>
+#include <unistd.h>
 
 #define TINY "--size 16x16 --spp 1 --sky uniform"
 #define MATERIAL "Material scene_material(Hit hit) { return material_new(0, vec3(0)); }\n"
