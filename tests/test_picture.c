@@ -90,7 +90,7 @@ static void test_sunlit_reference(void **state) {
     assert_non_null(line);
     text_print(&copy, "%.*s%s", (int)(line - text.data), text.data, strchr(line, '\n'));
     snprintf(arguments, sizeof arguments,
-             "'%s' --depth 8 --size 256x256 --spp 256 --sun 30 --sun-disk --set sun.radius=0.01",
+             "'%s' --depth 8 --size 256x256 --spp 256 --sun 30 --sun-disk=sampled --set sun.radius=0.01",
              support_write("crater.glsl", text_string(&copy)));
     Image image = render("", arguments);
     if (!image_read(&reference, "tests/data/crater_el30_azz_sphere_sun.exr", &error))
