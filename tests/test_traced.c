@@ -5,6 +5,7 @@
 #include "support.h"
 
 #include "render/aim.h"
+#include "render/renderer.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -233,6 +234,43 @@ static void test_same(void **state) {
     expect_same_bits(a, b);
 }
 
+/* However the work is cut into strips and batches, the picture is the same to the bit. */
+static void test_cuts(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"tests/data/thrown.glsl", "scenes/crater.glsl"};
+    Context context;
+    support_open(&context);
+    for (int i = 0; i < 2; i++) {
+        Renderer renderer;
+        Scene scene;
+        Error error;
+        Image whole, cut;
+        FilmCount count;
+        assert_true(scene_read(&scene, scenes[i], "glsl", &error));
+        RenderParams params = {.scene = &scene, .width = 40, .height = 30};
+        if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
+        while (renderer.film.samples < 40)
+            assert_true(renderer_pass(&renderer, 40 - renderer.film.samples, NULL, &error));
+        assert_true(film_read(&renderer.film, &whole, &count, &error));
+        film_reset(&renderer.film);
+        int calls = 0;
+        for (; renderer.film.samples < 40; calls++) {
+            uint64_t left = 40 - renderer.film.samples;
+            assert_true(renderer_advance(&renderer, left, calls % 3 ? 1e-5 : 1e-3, NULL, &error));
+        }
+        assert_true(film_read(&renderer.film, &cut, &count, &error));
+        print_message("%s: %d calls, %.0f light paths\n", scenes[i], calls, renderer.film.light_paths);
+        assert_true(calls > 10 && (renderer.film.light_paths > 0) == (i == 0));
+        assert_true(count.accepted == 40 * 40 * 30);
+        assert_memory_equal(whole.rgba, cut.rgba, 4 * 40 * 30 * sizeof(float));
+        image_free(&whole);
+        image_free(&cut);
+        renderer_destroy(&renderer);
+        scene_destroy(&scene);
+    }
+    context_close(&context);
+}
+
 /* Another driver, which compiles loops in another way, makes the same picture up to roundings and the
  * branches that they turn. */
 static void test_another_driver(void **state) {
@@ -277,10 +315,10 @@ static void test_refused(void **state) {
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tree),    cmocka_unit_test(test_density),
-        cmocka_unit_test(test_thrown),  cmocka_unit_test(test_another_program),
-        cmocka_unit_test(test_same),    cmocka_unit_test(test_another_driver),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_tree),           cmocka_unit_test(test_density),
+        cmocka_unit_test(test_thrown),         cmocka_unit_test(test_another_program),
+        cmocka_unit_test(test_same),           cmocka_unit_test(test_cuts),
+        cmocka_unit_test(test_another_driver), cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests_name("traced", tests, support_folder, support_clean);
 }

@@ -100,17 +100,17 @@ static void draw(const PhotonPass *pass, const Program *program, int width, int 
     program_draw(program, 0, 0, width, rows);
 }
 
-/* Makes the program of light paths the one in use, for the next of them. */
-static void use(const PhotonPass *pass) {
+/* Makes the program of light paths the one in use, for those from number `first` on. */
+static void use(const PhotonPass *pass, uint64_t first) {
     program_use(&pass->photons);
     photon_pass_give(pass, &pass->photons);
-    program_set_uint(&pass->photons, "photon_first", (unsigned)pass->next);
-    program_set_uint(&pass->photons, "photon_lap", (unsigned)(pass->next >> 32));
+    program_set_uint(&pass->photons, "photon_first", (unsigned)first);
+    program_set_uint(&pass->photons, "photon_lap", (unsigned)(first >> 32));
     program_set_uint(&pass->photons, "photon_columns", BATCH_COLUMNS);
 }
 
-static void trace(const PhotonPass *pass, int rows) {
-    use(pass);
+static void trace(const PhotonPass *pass, uint64_t first, int rows) {
+    use(pass, first);
     draw(pass, &pass->photons, BATCH_COLUMNS, rows);
 }
 
@@ -141,7 +141,7 @@ static void upload(const PhotonPass *pass) {
 /* Improves the aim by the light that a batch of paths brings. */
 static void improve(PhotonPass *pass) {
     float *starts = memory_get((size_t)AIM_ROWS * BATCH_COLUMNS * 4, sizeof *starts);
-    trace(pass, AIM_ROWS);
+    trace(pass, 0, AIM_ROWS);
     read(pass, 2, BATCH_COLUMNS, AIM_ROWS, starts);
     aim_improve(&pass->aim, starts, AIM_ROWS * BATCH_COLUMNS);
     free(starts);
@@ -151,19 +151,18 @@ static void improve(PhotonPass *pass) {
 bool photon_pass_aim(PhotonPass *pass, const Frame *frame, bool traces, Error *error) {
     if (!pass->gl) return true;
     double pixels = (double)frame->camera.width * frame->camera.height;
-    pass->next = 0;
     pass->aim.any = false;
     if (traces && !find_throwers(pass, frame, error)) return false;
     pass->paths_a_sample = pass->aim.any ? paths_a_path * pixels : 0;
     upload(pass);
     if (pass->aim.any) improve(pass);
     if (!pass->aim.any) pass->paths_a_sample = 0;
-    use(pass);
+    use(pass, 0);
     return program_check(&pass->photons, error) && gl_check(pass->gl, "aiming light paths", error);
 }
 
-uint64_t photon_pass_due(const PhotonPass *pass, double samples) {
-    double due = pass->paths_a_sample * samples - (double)pass->next;
+uint64_t photon_pass_due(const PhotonPass *pass, const Film *film, double samples) {
+    double due = pass->paths_a_sample * samples - film->light_paths;
     return due > 0 ? (uint64_t)ceil(due) : 0;
 }
 
@@ -178,7 +177,7 @@ static uint64_t rows_for(const PhotonPass *pass, uint64_t paths, double seconds)
 uint64_t photon_pass_draw(PhotonPass *pass, Film *film, uint64_t paths, double seconds) {
     uint64_t rows = rows_for(pass, paths, seconds);
     double begin = clock_seconds();
-    trace(pass, (int)rows);
+    trace(pass, (uint64_t)film->light_paths, (int)rows);
     program_use(&pass->points);
     program_set_texture(&pass->points, "splat_places", pass->places);
     program_set_texture(&pass->points, "splat_lights", pass->lights);
@@ -187,6 +186,5 @@ uint64_t photon_pass_draw(PhotonPass *pass, Film *film, uint64_t paths, double s
     film_splat_end(film, (double)rows * BATCH_COLUMNS);
     pass->gl->Finish();
     pass->paths_per_second = (double)rows * BATCH_COLUMNS / fmax(clock_seconds() - begin, 1e-6);
-    pass->next += rows * BATCH_COLUMNS;
     return rows * BATCH_COLUMNS;
 }

@@ -19,8 +19,6 @@ typedef struct PhotonPass {
     double paths_a_sample;
     /* Measured; it sets the size of batches where time is short. */
     double paths_per_second;
-    /* The number of the next path. */
-    uint64_t next;
 } PhotonPass;
 
 /* Creates the pass if the plan's method traces light; else `pass` is an empty struct. Errors in GLSL are
@@ -29,15 +27,15 @@ MUST_CHECK bool photon_pass_create(PhotonPass *pass, const Context *context, con
                                    const RenderParams *params, Error *error);
 void photon_pass_destroy(PhotonPass *pass);
 
-/* Aims the paths at what throws light into this picture, with the programs' uniforms and tables set. The
- * picture is to begin anew. If `traces` is false, or nothing throws light, there will be no paths. */
+/* Aims the paths at what throws light into this picture, with the programs' uniforms and tables set. If
+ * `traces` is false, or nothing throws light, there will be no paths. */
 MUST_CHECK bool photon_pass_aim(PhotonPass *pass, const Frame *frame, bool traces, Error *error);
 
 /* Tells the program that traces paths from the camera, which must be in use, how light paths are aimed. */
 void photon_pass_give(const PhotonPass *pass, const Program *trace);
 
-/* The number of paths that are still to be traced when the film has these samples in all pixels. */
-uint64_t photon_pass_due(const PhotonPass *pass, double samples);
+/* The number of paths that the film lacks if it has so many samples in all pixels. */
+uint64_t photon_pass_due(const PhotonPass *pass, const Film *film, double samples);
 
 /* Traces about `paths` paths, or as many as a batch has or as take `seconds`, into the film. They are whole
  * rows of a batch, and there is at least one. Returns how many paths they are. */

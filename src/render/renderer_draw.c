@@ -37,7 +37,7 @@ static bool trace_light(Renderer *renderer, uint64_t paths, double seconds, bool
 
 /* Traces the light paths that belong to so many samples of each pixel. */
 static bool catch_up(Renderer *renderer, double samples, double seconds, bool (*stop)(void)) {
-    return trace_light(renderer, photon_pass_due(&renderer->light, samples), seconds, stop);
+    return trace_light(renderer, photon_pass_due(&renderer->light, &renderer->film, samples), seconds, stop);
 }
 
 bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error) {
@@ -82,10 +82,9 @@ bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, bool
         renderer_begin_group(renderer, renderer->group);
         strips_draw_for(&renderer->program, film->width, film->height, &renderer->row,
                         &renderer->pixels_per_second, seconds, stop);
-        if (clock_seconds() > end) return gl_check(renderer->gl, "drawing a pass", error);
     }
     double wanted = (double)film->samples + renderer->group;
-    if (catch_up(renderer, wanted, end - clock_seconds(), stop)) {
+    if (renderer->row == film->height && catch_up(renderer, wanted, end - clock_seconds(), stop)) {
         film_commit(film, renderer->group);
         renderer->row = 0;
     }
