@@ -163,7 +163,14 @@ int desktop_end(Desktop *desktop) {
 
 void desktop_quit(Desktop *desktop) {
     desktop_do(desktop, "key Escape");
-    assert_int_equal(desktop_end(desktop), 0);
+    int status = desktop_end(desktop);
+    if (status) {
+        /* What it said last, such as what a sanitizer has found. */
+        const char *log = desktop_log(desktop);
+        size_t length = strlen(log);
+        print_message("the window's last words:\n%s\n", log + (length > 2000 ? length - 2000 : 0));
+    }
+    assert_int_equal(status, 0);
     assert_non_null(strstr(desktop_log(desktop), "\"event\": \"end\""));
     assert_null(strstr(desktop_log(desktop), "OpenGL error"));
 }

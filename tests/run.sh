@@ -30,7 +30,7 @@ run_program() {
     status=$?
     # The leak sanitizer now and then fails to stop the threads of a process that ends, and says so. That is no finding, so the
     # program is run once more without the search for leaks.
-    if [ $status != 0 ] && tail -n 20 "$log" | grep -q "LeakSanitizer has encountered a fatal error"; then
+    if [ $status != 0 ] && grep -q "LeakSanitizer has encountered a fatal error" "$log"; then
         ASAN_OPTIONS=detect_leaks=0 timeout --kill-after=10 "$limit" "$1" >"$log" 2>&1
         status=$?
     fi
