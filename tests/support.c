@@ -228,6 +228,16 @@ int support_run(const char *environment, const char *format, ...) {
     return status;
 }
 
+double support_figure(const char *name) {
+    double value = -1;
+    char key[64];
+    snprintf(key, sizeof key, "\"%s\": ", name);
+    const char *done = strstr(support_err, "\"done\": true");
+    const char *at = done ? strstr(done, key) : NULL;
+    if (at) sscanf(at + strlen(key), "%lf", &value);
+    return value;
+}
+
 void support_expect(int status, const char *error_part, const char *format, ...) {
     va_list list;
     va_start(list, format);

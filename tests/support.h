@@ -71,6 +71,9 @@ bool support_flatten(GlslSource *source, const char *library, const char *entry,
 int support_run(const char *environment, const char *format, ...) __attribute__((format(printf, 2, 3)));
 extern char support_out[65536], support_err[65536];
 
+/* A number of the last line of --progress json in support_err; -1 where it has none of that name. */
+double support_figure(const char *name);
+
 /* The exit status and the start of standard error, together in one readable failure. */
 void support_expect(int status, const char *error_part, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

@@ -7,17 +7,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* A number of the last line of --progress json; -1 where it has none of that name. */
-static double figure(const char *name) {
-    double value = -1;
-    char key[64];
-    snprintf(key, sizeof key, "\"%s\": ", name);
-    const char *done = strstr(support_err, "\"done\": true");
-    const char *at = done ? strstr(done, key) : NULL;
-    if (at) sscanf(at + strlen(key), "%lf", &value);
-    return value;
-}
-
 /* Light that only chance finds is said to be that, and nothing is said where there is none: neither where all
  * mirrors are named nor where all is matte. */
 static void test_by_chance(void **state) {
@@ -46,7 +35,7 @@ static void test_by_chance(void **state) {
             if (!expected) continue;
             assert_non_null(strstr(support_err, cases[i].thrown));
             print_message("%s: %.2g %% of the light by chance\n", cases[i].scene,
-                          figure("chance_light_percent"));
+                          support_figure("chance_light_percent"));
         }
     }
     support_expect(0, "--sun-disk=chance",
@@ -105,8 +94,9 @@ static void test_partly_named(void **state) {
                        outs[named]);
         bool warned = strstr(support_err, "found by chance") != NULL;
         assert_true(named || (warned && strstr(support_err, "mirrors that the scene does not name")));
-        chance[named] = figure("chance_light_percent");
-        assert_true(figure("chance_paths_percent") > 0 && figure("chance_pixels_percent") > 0);
+        chance[named] = support_figure("chance_light_percent");
+        assert_true(support_figure("chance_paths_percent") > 0 &&
+                    support_figure("chance_pixels_percent") > 0);
     }
     double truth = 100 * lacking(outs[0], outs[1]);
     print_message(
@@ -169,7 +159,7 @@ static void test_chance_by_hand(void **state) {
     support_expect(0, "",
                    "render '%s' --size 16x16 --spp 16 --sky uniform:0 --sun-disk --progress json -o '%s'",
                    support_write("white.glsl", text), out);
-    assert_true(figure("chance_paths_percent") < 0); /* nothing is counted */
+    assert_true(support_figure("chance_paths_percent") < 0); /* nothing is counted */
     if (!image_read(&image, out, &error)) fail_msg("%s", error.text);
     double irradiance = luminance(image.rgba) * acos(-1) / sin(50 * degree);
     image_free(&image);
@@ -177,10 +167,11 @@ static void test_chance_by_hand(void **state) {
     support_expect(0, "found by chance",
                    "render '%s' --size 16x16 --spp 16 --sky uniform:1 --sun-disk --progress json -o '%s'",
                    support_write("mirror.glsl", text), out);
-    double light = figure("chance_light_percent"), expected = irradiance / solid_angle;
+    double light = support_figure("chance_light_percent"), expected = irradiance / solid_angle;
     print_message("in a mirror: light by chance is %.4g of the other light, reckoned %.4g\n",
                   light / (100 - light), expected);
-    assert_true(figure("chance_paths_percent") == 100 && figure("chance_pixels_percent") == 100);
+    assert_true(support_figure("chance_paths_percent") == 100 &&
+                support_figure("chance_pixels_percent") == 100);
     assert_true(fabs(light / (100 - light) / expected - 1) < 0.01);
     /* A flat mirror that is named shows the sun as large as it is, and leaves nothing to chance. */
     snprintf(text, sizeof text, scene, "//@ mirror-plane 0 90\n", "mirror(vec3(0.9))");

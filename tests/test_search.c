@@ -33,30 +33,21 @@ static void render(const char *body, const char *options) {
     }
 }
 
-static double field(const char *name) {
-    double value = -1;
-    char key[64];
-    snprintf(key, sizeof key, "\"%s\": ", name);
-    const char *done = strstr(support_err, "\"done\": true");
-    const char *at = done ? strstr(done, key) : NULL;
-    if (at) sscanf(at + strlen(key), "%lf", &value);
-    return value;
-}
-
 static void test_honest(void **state) {
     (void)state;
     render("return " BALL ";", "--spp 4");
-    double rays = field("search_rays"), steps = field("search_steps");
+    double rays = support_figure("search_rays"), steps = support_figure("search_steps");
     print_message("a ball: %g rays, %.1f steps each\n", rays, steps / rays);
     assert_true(rays >= 32 * 32 * 4 && steps / rays > 1 && steps / rays < 40);
-    assert_true(field("search_broken") == 0 && field("search_cut") == 0 && field("rejected") == 0);
+    assert_true(support_figure("search_broken") == 0 && support_figure("search_cut") == 0 &&
+                support_figure("rejected") == 0);
     assert_null(strstr(support_err, "warning"));
 }
 
 static void test_steep(void **state) {
     (void)state;
     render("return 3.0 * (" BALL ");", "--spp 4");
-    assert_true(field("search_broken") > 100);
+    assert_true(support_figure("search_broken") > 100);
     assert_non_null(strstr(support_err, "field.glsl"));
     assert_non_null(strstr(support_err, "changes faster than the distance"));
 }
@@ -65,7 +56,8 @@ static void test_steep(void **state) {
 static void test_no_number(void **state) {
     (void)state;
     render("vec3 q = p - vec3(0.0, 1.0, 0.0); return sqrt(0.3 - dot(q, q)) - 0.2;", "--spp 4");
-    assert_true(field("search_broken") > 0.9 * field("search_rays") && field("rejected") == 0);
+    assert_true(support_figure("search_broken") > 0.9 * support_figure("search_rays") &&
+                support_figure("rejected") == 0);
     assert_non_null(strstr(support_err, "or is no number"));
 }
 
@@ -73,7 +65,7 @@ static void test_no_number(void **state) {
 static void test_cut(void **state) {
     (void)state;
     render("return 1.0e-5 * (" BALL ");", "--spp 1");
-    assert_true(field("search_cut") > 100);
+    assert_true(support_figure("search_cut") > 100);
     assert_non_null(strstr(support_err, "were cut"));
 }
 
@@ -90,8 +82,8 @@ static void test_loops(void **state) {
     context_close(&context);
     render("float d = " BALL "; int i = 0; do { i++; d += float(none); } while (i < 30000 + none); return d;",
            "--spp 1 --size 8x8 --depth 1");
-    print_message("limit %ld: %g of 64 samples rejected\n", limit, field("rejected"));
-    assert_true(field("rejected") == (limit ? 64 : 0));
+    print_message("limit %ld: %g of 64 samples rejected\n", limit, support_figure("rejected"));
+    assert_true(support_figure("rejected") == (limit ? 64 : 0));
     assert_int_equal(strstr(support_err, "more loops than the driver allows") != NULL, limit != 0);
 }
 

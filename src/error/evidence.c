@@ -22,7 +22,7 @@ Noise evidence_begin(const Renderer *renderer, const ToneTable *tone) {
     return noise;
 }
 
-bool noise_measure_film(Noise *noise, const Film *film, const Image *mean, Error *error) {
+bool evidence_measure(Noise *noise, const Film *film, const Image *mean, Error *error) {
     NoisePicture picture = {.mean = mean};
     float *light = NULL;
     if (film->light_paths > 0) {

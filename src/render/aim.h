@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-/* Nodes from the root to a leaf, and all nodes: 1 + 4 + 16 + 64 + 256. */
-enum { AIM_LEVELS = 5, AIM_NODES = 341 };
+/* The nodes of five levels: 1 + 4 + 16 + 64 + 256. */
+enum { AIM_NODES = 341 };
 
 typedef struct Aim {
     /* The least and the largest coordinates of the rectangle in which they cross the plane, in metres. */
