@@ -1,6 +1,6 @@
-// Where light paths begin. They cross a plane that faces the sun and goes through the surfaces that throw light, and are dense where surfaces throw light into the picture. The density is
-// constant in each leaf of a tree that halves the plane's rectangle again and again, and all leaves have the same share of the paths. A part of the
-// paths is spread evenly over the rectangle. The host makes the tree from surfaces that a few paths have met (src/render/aim.c).
+// Where light paths begin. They cross a plane that faces the sun and goes through the surfaces that throw light, and are dense where surfaces
+// throw light into the picture. The density is constant in each leaf of a tree that halves the plane's rectangle again and again, and all leaves
+// have the same share of the paths. A part of the paths is spread evenly over the rectangle. The host makes the tree (src/render/aim.c).
 #include "sun/disk.glsl"
 #include "math/frame.glsl"
 
@@ -14,7 +14,7 @@ vec4 aim_rectangle();
 float aim_plane();
 float aim_top();
 
-// Nodes from the root to a leaf. The loop over them is written out, because some drivers limit loops (src/gl/loops.h).
+// The leaves below five nodes. Loops over the five are written out, because some drivers limit loops (src/gl/loops.h).
 const float AIM_LEAVES = 1024.0;
 // The part of the paths that is spread evenly.
 const float AIM_EVEN = 0.1;

@@ -19,8 +19,9 @@ typedef struct SunImage {
     int count;
 } SunImage;
 
-/* Chooses the method that `text` names, or the scene's where `text` is NULL. It is "off" where the disk has
- * set. */
+/* Chooses the method that `text` names, or the scene's where `text` is NULL. "auto" is "traced" where the
+ * scene may throw sunlight that rays to the sun do not find, and "sampled" elsewhere. It is "off" where the
+ * disk has set. */
 MUST_CHECK bool sun_choose(MethodChoice *choice, const char *text, const Scene *scene, Error *error);
 
 /* Fills <sun>, <sun-image>, <mirrors>, <mirrors-image> and <planes>. */
