@@ -275,10 +275,10 @@ static void test_charts(void **state) {
     snprintf(sky, sizeof sky, "%s/sky.csv", folder);
     Text before = {0}, after = {0};
     read_text(paths, &before);
-    static const char *const rows[] = {",mis,sobol,even,1,", "\ngauss:12,cosine,sobol,even,1,",
-                                       "\npaper:64x16,cosine,sobol,even,1,", ",control,random,even,1,",
-                                       ",cosine,sobol,adaptive,"};
-    for (int i = 0; i < 5; i++) {
+    static const char *const rows[] = {
+        ",mis,sobol,even,1,",      "\ngauss:12,cosine,sobol,even,1,", "\npaper:64x16,cosine,sobol,even,1,",
+        ",control,random,even,1,", ",control,metropolis,even,1,",     ",cosine,sobol,adaptive,"};
+    for (int i = 0; i < 6; i++) {
         if (!strstr(before.data, rows[i])) fail_msg("no %s in %s", rows[i], before.data);
     }
     assert_true(count_lines(sky) > 15);

@@ -31,7 +31,7 @@ static void test_usage(void **state) {
                    "render scenes/crater.glsl --sky frob -o '%s'", out);
     support_expect(2, "unknown method 'frob' (known: auto, cosine, control, mis, portal, paper)",
                    "render scenes/crater.glsl --light frob -o '%s'", out);
-    support_expect(2, "unknown method 'frob' (known: auto, additive, random, sobol)",
+    support_expect(2, "unknown method 'frob' (known: auto, additive, random, metropolis, sobol)",
                    "render scenes/crater.glsl --sequence frob -o '%s'", out);
     support_expect(2, "is not paper:NxM", "render scenes/crater.glsl --sky paper:0x4 -o '%s'", out);
     support_expect(2, "is not paper:NxM", "render scenes/crater.glsl --sky paper:4 -o '%s'", out);

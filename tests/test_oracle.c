@@ -24,6 +24,7 @@ ORACLE_CASE(paper);
 ORACLE_CASE(phase);
 ORACLE_CASE(sequence_random);
 ORACLE_CASE(sequence_sobol);
+ORACLE_CASE(chain_step);
 ORACLE_CASE(shape);
 ORACLE_CASE(solids);
 ORACLE_CASE(spheres);
@@ -276,6 +277,34 @@ static void test_sequences(void **state) {
     }
     oracle_compare(&context, ORACLE(sequence_random), inputs, quantities, COUNT(quantities));
     oracle_compare(&context, ORACLE(sequence_sobol), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+/* The steps of Markov chains. A distance is a whole number of 2^-24, which exp2() may round to the next one;
+ * a number that is moved across an end of [0,1) jumps. */
+static void test_chain_step(void **state) {
+    static const OracleQuantity quantities[] = {
+        {"moved", .result = 0, .floor = 1, .rms = 1e-7, .worst = 1.3e-7, .jump = 0.5, .most_set_aside = 1e-3},
+        {"pair x", .result = 1, .floor = 1, .rms = 1e-7, .worst = 1.3e-7, .jump = 0.5,
+         .most_set_aside = 1e-3},
+        {"pair y", .result = 2, .floor = 1, .rms = 1e-7, .worst = 1.3e-7, .jump = 0.5,
+         .most_set_aside = 1e-3},
+        {"threshold", .result = 3},
+        {"large", .result = 4},
+        {"acceptance", .result = 5, .rms = 1e-7, .worst = 2e-7},
+        {"choice", .result = 6, .rms = 1e-7, .worst = 3e-7},
+        {"brightness", .result = 7, .rms = 1e-7, .worst = 3e-7},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *a = inputs + 8 * i;
+        a[0] = (float)(i % 4096);
+        a[1] = (float)(int)(16777216 * random_unit());
+        a[2] = (float)(i % 7);
+        a[3] = (float)(i % 16);
+        for (int k = 4; k < 8; k++) a[k] = (float)(int)(16777215 * random_unit() + 1) / 16777216.0F;
+    }
+    oracle_compare(&context, ORACLE(chain_step), inputs, quantities, COUNT(quantities));
     context_close(&context);
 }
 
@@ -567,10 +596,10 @@ int main(void) {
         cmocka_unit_test(test_shape),     cmocka_unit_test(test_solids),
         cmocka_unit_test(test_march),     cmocka_unit_test(test_distance),
         cmocka_unit_test(test_lobes),     cmocka_unit_test(test_mirror_sphere),
-        cmocka_unit_test(test_sequences), cmocka_unit_test(test_checker),
-        cmocka_unit_test(test_material),  cmocka_unit_test(test_spheres),
-        cmocka_unit_test(test_emission),  cmocka_unit_test(test_rectangle),
-        cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_sequences), cmocka_unit_test(test_chain_step),
+        cmocka_unit_test(test_checker),   cmocka_unit_test(test_material),
+        cmocka_unit_test(test_spheres),   cmocka_unit_test(test_emission),
+        cmocka_unit_test(test_rectangle), cmocka_unit_test(test_paths),
     };
     return cmocka_run_group_tests_name("oracle", tests, support_folder, support_clean);
 }

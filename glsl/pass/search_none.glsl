@@ -1,7 +1,5 @@
 // For a scene that has no loops that search.
-void film_search() {
-}
+#include "pass/loops_none.glsl"
 
-bool search_ended() {
-    return false;
+void film_search() {
 }

@@ -32,7 +32,7 @@ void main() {
         Sequence sequence = sequence_start(pixel.x, pixel.y, first_sample + i, seed);
         Ray ray = camera_ray(vec2(pixel), sequence_pair(sequence));
         vec3 radiance = path_radiance(ray, max_hits, sequence);
-        group += is_finite(radiance) && !search_ended() ? vec4(radiance, 1.0) : vec4(0.0);
+        group += is_finite(radiance) && !loops_ended() ? vec4(radiance, 1.0) : vec4(0.0);
         i += 1u;
     } while (i < group_samples);
     group += vec4(sun_image_sum() * (group.a / float(group_samples)), 0.0);

@@ -28,9 +28,22 @@ static bool sky_integrates(const RenderParams *picture) {
             choice.method->integrates);
 }
 
+/* Whether the picture may be drawn by Markov chains: light paths from the sun do not go with them. */
+static bool may_walk_chains(const RenderParams *picture) {
+    MethodChoice sun;
+    Error ignored;
+    return method_is_auto(picture->sun_disk) ||
+           (method_choose(&sun, METHOD_SUN, picture->sun_disk, &ignored) && !sun.method->traces_light);
+}
+
 /* Adds a light method with the sky that auto takes: once with adaptive and once with even sampling. If `all`
  * is set, even sampling is added for the other sequences too. */
 static void add_light(Paths *paths, const char *light, int color, bool all) {
+    static const struct {
+        const char *sequence;
+        PlotMarker marker;
+    } others[] = {{"additive", PLOT_SQUARE}, {"random", PLOT_TRIANGLE}, {"metropolis", PLOT_DIAMOND}};
+    int count = !all ? 0 : may_walk_chains(&paths->params->picture) ? 3 : 2;
     Drawn drawn = {.combination = {NULL, light, "sobol", true},
                    .panels = PANEL_LIGHTS,
                    .color = color,
@@ -41,9 +54,9 @@ static void add_light(Paths *paths, const char *light, int color, bool all) {
     drawn.marker = PLOT_DOT;
     drawn.line = PLOT_DASHED;
     add(paths, &drawn);
-    for (int i = 0; all && i < 2; i++) {
-        drawn.combination.sequence = i ? "random" : "additive";
-        drawn.marker = i ? PLOT_TRIANGLE : PLOT_SQUARE;
+    for (int i = 0; i < count; i++) {
+        drawn.combination.sequence = others[i].sequence;
+        drawn.marker = others[i].marker;
         drawn.line = PLOT_DOTTED;
         add(paths, &drawn);
     }

@@ -122,6 +122,13 @@ static const Method methods[] = {
      .file = "sequence/random.glsl",
      .about = "independent numbers from a PCG hash"},
     {.family = METHOD_SEQUENCE,
+     .name = "metropolis",
+     .file = "sequence/sobol.glsl",
+     .about = "Markov chains that stay near bright paths (Kelemen 2002); no error can be told, so --spp or "
+              "--time is needed",
+     .low_discrepancy = true,
+     .walks_chains = true},
+    {.family = METHOD_SEQUENCE,
      .name = "sobol",
      .file = "sequence/sobol.glsl",
      .about = "Sobol pairs, shuffled and Owen-scrambled by hashing",

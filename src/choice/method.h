@@ -65,6 +65,9 @@ typedef struct Method {
 
     /* A sequence: its points are more even than independent ones. */
     bool low_discrepancy;
+    /* A sequence: Markov chains propose the paths, and splat their light (render/chain_pass.h). `file` is for
+     * the passes beside them. The paths of a chain depend on each other, so no error can be told. */
+    bool walks_chains;
 
     /* A sun: the disk is there, so that rays can meet it. */
     bool has_disk;

@@ -10,7 +10,7 @@
 /* Prints only the program that traces paths, as it is compiled. */
 static bool print_trace(const Plan *plan, const RenderParams *params, Error *error) {
     GlslSource source = {0};
-    bool ok = pass_text(&trace_pass, plan, params, &source, error);
+    bool ok = pass_text(paths_pass(plan), plan, params, &source, error);
     if (ok) fwrite(source.text.data, 1, source.text.size, stdout);
     glsl_source_destroy(&source);
     return ok;

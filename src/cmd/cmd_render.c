@@ -29,6 +29,24 @@ static bool check_aov(const Options *options, unsigned *kinds, Error *error) {
     return !*kinds || error_set(error, STATUS_USAGE, "--aov: only .exr holds layers, and no -o names one");
 }
 
+/* What depends on a figure of the error has none with Markov chains. */
+static bool check_sequence(const Options *options, unsigned aov_kinds, Error *error) {
+    MethodChoice sequence;
+    if (!method_choose(&sequence, METHOD_SEQUENCE, options->sequence, error)) return false;
+    if (!sequence.method->walks_chains) return true;
+    if (options->error.amount > 0 || !(options->samples || options->seconds > 0)) {
+        return error_set(error, STATUS_USAGE,
+                         "--sequence %s: its paths depend on each other, so that no error can be told or "
+                         "promised; say how long by --spp N or --time SECONDS%s",
+                         sequence.text, options->error.amount > 0 ? " in place of --error" : "");
+    }
+    return !(aov_kinds & AOV_VARIANCE) ||
+           error_set(error, STATUS_USAGE,
+                     "--aov variance: the paths of --sequence %s depend on each other, so that their "
+                     "variance is not known; take another sequence, or leave this layer out",
+                     sequence.text);
+}
+
 /* Fills the tables. If it is interrupted, no sample follows. */
 static bool prepare_tables(RenderJob *job, Error *error) {
     double start = clock_seconds();
@@ -52,7 +70,8 @@ static bool open_scene(RenderJob *job, Error *error) {
 
 static bool prepare(RenderJob *job, Error *error) {
     const Options *options = job->options;
-    if (!check_aov(options, &job->aov_kinds, error)) return false;
+    if (!check_aov(options, &job->aov_kinds, error) || !check_sequence(options, job->aov_kinds, error))
+        return false;
     job->params = (RenderParams){.scene = &job->scene,
                                  .sky = options->sky,
                                  .light = options->light,
@@ -201,7 +220,8 @@ static bool render(RenderJob *job, Error *error) {
         if (!sample(job, error)) return false;
         interrupt_keep();
         figures->paths = job->adaptive.paths;
-        figures->light_paths = job->renderer.film.light_paths;
+        if (job->renderer.plan.sun.method->traces_light)
+            figures->light_paths = job->renderer.film.light_paths;
         figures->samples = (double)figures->paths / pixels;
         if (!aov_pass(&job->aov, &job->renderer, (uint64_t)figures->samples, interrupt_requested, error))
             return false;

@@ -178,6 +178,7 @@ static bool measure(Adaptive *adaptive, const Renderer *renderer, Error *error) 
     FilmCount count;
     ChanceMap map;
     adaptive->claimed = evidence_suffices(&renderer->plan, adaptive->most, adaptive->paths);
+    if (!evidence_is_there(&renderer->plan)) return true;
     if (!film_read(&renderer->film, &mean, &count, error)) return false;
     bool ok = chance_map_read(&map, &renderer->film, error);
     if (ok) {
@@ -198,7 +199,7 @@ static void judge_plan(Adaptive *adaptive) {
 }
 
 bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double target, bool (*stop)(void), Error *error) {
-    bool even = renderer->film.samples < EVEN_SAMPLES;
+    bool even = renderer->film.samples < EVEN_SAMPLES || !evidence_is_there(&renderer->plan);
     int chosen = even ? 0 : choose(adaptive, target);
     if (chosen) judge_plan(adaptive);
     /* If no tile is worth a doubling so early, as in a picture of the sky alone, all tiles get samples until

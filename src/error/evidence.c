@@ -128,7 +128,11 @@ Evidence evidence_gather(Noise *noise, const ChanceMap *map, const Image *mean) 
     return evidence;
 }
 
+bool evidence_is_there(const Plan *plan) {
+    return !plan->sequence.method->walks_chains;
+}
+
 bool evidence_suffices(const Plan *plan, uint64_t samples, uint64_t paths) {
     bool luck = plan_counts_chance(plan) || plan->needs.emits;
-    return samples >= ENOUGH_SAMPLES && (!luck || paths >= ENOUGH_PATHS);
+    return evidence_is_there(plan) && samples >= ENOUGH_SAMPLES && (!luck || paths >= ENOUGH_PATHS);
 }

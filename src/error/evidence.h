@@ -35,6 +35,9 @@ typedef struct Evidence {
  * map nothing happens. */
 Evidence evidence_gather(Noise *noise, const ChanceMap *map, const Image *mean);
 
+/* Whether the plan's samples tell their error at all: the paths of a Markov chain depend on each other. */
+bool evidence_is_there(const Plan *plan);
+
 /* Whether so many samples are evidence enough for a figure of the error: 16 of some pixel, and 2^20 in all if
  * the plan has light that is found only by luck. Lamps count as such, because a scene need not name them by
  * hints. */

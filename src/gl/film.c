@@ -104,6 +104,11 @@ void film_splat_end(Film *film, double paths) {
     film->light_paths += paths;
 }
 
+void film_put_light(Film *film, const float *rgba, double paths) {
+    texture_resize(film->target.gl, film->splat, film->width, film->height, rgba);
+    film->light_paths = paths;
+}
+
 /* Reads what the second sum adds to the means of a rectangle's pixels: 4 floats a pixel, 0 where there is no
  * second sum. */
 static bool read_splats(const Film *film, const Rectangle *r, float *rgba, Error *error) {

@@ -25,10 +25,11 @@
  * averaged over the channels and summed over the samples, in rgb by a material's number modulo 3; and in
  * alpha a bit for each material whose light was found (glsl/sun/count.glsl).
  *
- * With FILM_SPLAT there is a second sum, `splat`, for light that is traced from the lights to the camera.
- * Such light falls on any pixel and is added point by point (rgb; alpha counts the points). It belongs to the
- * picture as a whole: the mean of a pixel is sum / samples + scale * splat / light paths. The second sum is a
- * plain float sum, which loses less than 1e-4 of itself up to a million points a pixel.
+ * With FILM_SPLAT there is a second sum, `splat`, for light that is traced from the lights to the camera, or
+ * that Markov chains bring. Such light falls on any pixel and is added point by point (rgb; alpha counts the
+ * points). It belongs to the picture as a whole: the mean of a pixel is sum / samples + scale * splat / light
+ * paths. The second sum is a plain float sum, which loses less than 1e-4 of itself up to a million points a
+ * pixel.
  *
  * The fragment shader of a pass includes pass/film.glsl and calls film_add() once a pixel. Before it, it
  * calls film_scatter() of pass/scatter.glsl, film_search() of pass/search.glsl and film_chance() of
@@ -108,6 +109,10 @@ void film_commit(Film *film, uint64_t samples);
  * light paths that the points stand for. If a draw was left out, leave its paths out too. */
 void film_splat_begin(const Film *film, const Program *program);
 void film_splat_end(Film *film, double paths);
+
+/* Puts a sum that was made elsewhere in place of the second sum: 4 floats a pixel, of which the last has no
+ * meaning, and the number of paths that it stands for. */
+void film_put_light(Film *film, const float *rgba, double paths);
 
 /* Returns a texture of sums that have the second sum's part of the mean in them: radiance in rgb, samples in
  * alpha. It is the film's own sum where there is no second sum, or else drawn by `program`, which is that of

@@ -22,7 +22,18 @@ const Pass aov_pass_entry = {.name = "layers", .entry = "pass/aov.glsl"};
 const Pass throwers_pass = {.name = "throwers", .entry = "pass/throwers.glsl"};
 const Pass photons_pass = {.name = "light paths", .entry = "pass/photons.glsl"};
 const Pass points_pass = {.name = "points", .entry = "pass/splat.glsl"};
+const Pass chain_steps_pass = {.name = "chains", .entry = "pass/metropolis.glsl"};
+const Pass chain_keep_pass = {.name = "chains' numbers", .entry = "pass/metropolis_keep.glsl"};
+const Pass chain_film_pass = {.name = "film", .entry = "pass/metropolis_film.glsl"};
 const Pass check_pass = {.name = "check", .entry = "pass/check.glsl"};
+
+const Pass *film_pass(const Plan *plan) {
+    return plan->sequence.method->walks_chains ? &chain_film_pass : &trace_pass;
+}
+
+const Pass *paths_pass(const Plan *plan) {
+    return plan->sequence.method->walks_chains ? &chain_steps_pass : &trace_pass;
+}
 
 PassList pass_list(const Plan *plan, const RenderParams *params) {
     PassList list = {0};
@@ -38,7 +49,11 @@ PassList pass_list(const Plan *plan, const RenderParams *params) {
         list.passes[list.count++] = photons_pass;
         list.passes[list.count++] = points_pass;
     }
-    list.passes[list.count++] = trace_pass;
+    if (plan->sequence.method->walks_chains) {
+        list.passes[list.count++] = chain_steps_pass;
+        list.passes[list.count++] = chain_keep_pass;
+    }
+    list.passes[list.count++] = *film_pass(plan);
     list.passes[list.count++] = aov_pass_entry;
     list.passes[list.count++] = check_pass;
     return list;
@@ -84,6 +99,7 @@ bool pass_text(const Pass *pass, const Plan *plan, const RenderParams *params, G
     slot_file(&slots, "light", plan->light.method->file);
     slot_file(&slots, "scatter", params->variance ? "pass/scatter.glsl" : "pass/scatter_none.glsl");
     slot_file(&slots, "search", plan->needs.search ? "pass/search.glsl" : "pass/search_none.glsl");
+    slot_file(&slots, "loops", plan->needs.search ? "pass/loops.glsl" : "pass/loops_none.glsl");
     slot_file(&slots, "chance", plan_counts_chance(plan) ? "pass/chance.glsl" : "pass/chance_none.glsl");
     bool ok = glsl_source_create(source, params->scene->file->sources, pass->entry, slots.slots, error);
     slot_list_free(&slots);
@@ -102,7 +118,8 @@ bool pass_compile(Program *program, const GlApi *gl, const GlslSource *source, c
 
 bool pass_trace_text(const RenderParams *params, GlslSource *source, Error *error) {
     Plan plan;
-    return plan_make(&plan, params, NULL, error) && pass_text(&trace_pass, &plan, params, source, error);
+    return plan_make(&plan, params, NULL, error) &&
+           pass_text(paths_pass(&plan), &plan, params, source, error);
 }
 
 Frame frame_of(const Plan *plan, const RenderParams *params, const Camera *camera) {
@@ -125,6 +142,10 @@ void frame_uniforms(const Frame *frame, const Plan *plan, unsigned seed, Uniform
     uniforms_declared_in(uniforms, "pass/trace.glsl");
     uniforms_uint(uniforms, "seed", seed);
     uniforms_int(uniforms, "max_hits", plan->max_hits);
+    uniforms_declared_in(uniforms, "pass/metropolis.glsl");
+    uniforms_int(uniforms, "max_hits", plan->max_hits);
+    uniforms_declared_in(uniforms, "pass/chains.glsl");
+    uniforms_uint(uniforms, "seed", seed);
     uniforms_declared_in(uniforms, "pass/sun_image.glsl");
     uniforms_uint(uniforms, "seed", seed);
     uniforms_declared_in(uniforms, "pass/aov.glsl");

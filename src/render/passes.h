@@ -27,6 +27,13 @@ typedef struct PassList {
     int count;
 } PassList;
 
+/* The passes of Markov chains (render/chain_pass.h): their steps, their numbers, and the film's own sum. */
+extern const Pass chain_steps_pass, chain_keep_pass, chain_film_pass;
+
+/* The pass that adds a group of samples to the film, and the one that traces the paths from the camera. */
+const Pass *film_pass(const Plan *plan);
+const Pass *paths_pass(const Plan *plan);
+
 /* The passes that draw into the film, the one that draws layers (--aov), and the one that checks the scene's
  * values (render/check.h). */
 extern const Pass trace_pass, sun_image_pass, aov_pass_entry, check_pass;

@@ -20,7 +20,7 @@ enum {
      * come so far is below 1e-22. */
     UNLIMITED_HITS = 1000,
     /* Estimates for one march() and one hit_spheres(): some 20 iterations are usual, and at most there are
-     * MARCH_STEPS (glsl/shape/march.glsl) and SPHERES_STEPS (glsl/shape/spheres.glsl). glsl/pass/search.glsl
+     * MARCH_STEPS (glsl/shape/march.glsl) and SPHERES_STEPS (glsl/shape/spheres.glsl). glsl/pass/loops.glsl
      * notices and counts rays that exceed all loops together. */
     MARCH_ITERATIONS = 200,
     SPHERES_ITERATIONS = 200
@@ -115,10 +115,18 @@ static bool mirrors_alone_block(const Scene *scene) {
     return same == bounds;
 }
 
-/* Light paths know Lambert's matte surfaces alone. */
+/* Light paths know Lambert's matte surfaces alone, and the film has one sum for what is splatted. */
 static bool check_light_paths(Plan *plan, const RenderParams *params, Error *error) {
-    if (!plan->sun.method->traces_light || !plan->light.method->own_lobe) return true;
+    bool chains = plan->sequence.method->walks_chains, own_lobe = plan->light.method->own_lobe;
+    if (!plan->sun.method->traces_light || !(chains || own_lobe)) return true;
     if (method_is_auto(params->sun_disk)) return method_choose(&plan->sun, METHOD_SUN, "sampled", error);
+    if (chains) {
+        return error_set(
+            error, STATUS_USAGE,
+            "--sun-disk %s: light paths cannot be traced beside the chains of --sequence %s; use "
+            "--sun-disk sampled",
+            plan->sun.text, plan->sequence.text);
+    }
     return error_set(
         error, STATUS_USAGE,
         "--sun-disk %s: light paths cannot be traced with --light %s, whose matte surfaces are not "
@@ -195,7 +203,8 @@ static SceneNeeds needs_of(const Scene *scene) {
 
 bool plan_counts_chance(const Plan *plan) {
     const Method *sun = plan->sun.method;
-    return sun->has_disk && (plan->needs.throws || !sun->samples_disk);
+    return !plan->sequence.method->walks_chains && sun->has_disk &&
+           (plan->needs.throws || !sun->samples_disk);
 }
 
 bool plan_choose(Plan *plan, const RenderParams *params, const Context *context, Error *error) {

@@ -87,7 +87,7 @@ MUST_CHECK bool plan_make(Plan *plan, const RenderParams *params, const Context 
 /* Makes all of the plan but `needs`, which must be there already. */
 MUST_CHECK bool plan_choose(Plan *plan, const RenderParams *params, const Context *context, Error *error);
 
-/* Whether the film counts the light that is left to chance (FILM_CHANCE). */
+/* Whether the film counts the light that is left to chance (FILM_CHANCE). Chains find it by other odds. */
 bool plan_counts_chance(const Plan *plan);
 
 /* Whether both plans have the same programs, for the same scene file and film. */

@@ -9,8 +9,15 @@
 static bool create_program(Renderer *renderer, const Context *context, const RenderParams *params,
                            Error *error) {
     GlslSource source = {0};
-    bool ok = pass_text(&trace_pass, &renderer->plan, params, &source, error) &&
+    bool ok = pass_text(film_pass(&renderer->plan), &renderer->plan, params, &source, error) &&
               pass_compile(&renderer->program, &context->gl, &source, params, error);
+    glsl_source_destroy(&source);
+    return ok;
+}
+
+static bool list_files(Renderer *renderer, const RenderParams *params, Error *error) {
+    GlslSource source = {0};
+    bool ok = pass_text(paths_pass(&renderer->plan), &renderer->plan, params, &source, error);
     for (int i = 0; i < source.file_count; i++)
         text_print(&renderer->source_files, "%s%s", i ? " " : "", source.files[i]);
     glsl_source_destroy(&source);
@@ -43,9 +50,12 @@ static void give(const Renderer *renderer, const Program *program, const Uniform
     resources_give(&renderer->tables, program);
 }
 
-/* Aims the light paths. A preview has none, because the next one may come at once. */
-static bool aim(Renderer *renderer, const Frame *frame, Error *error) {
-    if (!photon_pass_aim(&renderer->light, frame, !frame->coarse, error)) return false;
+/* Begins what is splatted. A preview has no light paths, because the next one may come at once. */
+static bool begin_light(Renderer *renderer, const Frame *frame, Error *error) {
+    const Camera *camera = &frame->camera;
+    if (!chain_pass_begin(&renderer->chains, camera->width, camera->height, error) ||
+        !photon_pass_aim(&renderer->light, frame, !frame->coarse, error))
+        return false;
     program_use(&renderer->program);
     photon_pass_give(&renderer->light, &renderer->program);
     return true;
@@ -62,7 +72,9 @@ static bool set_up(Renderer *renderer, const Frame *frame, double seconds, bool 
     if (ok && *ready == 1) give(renderer, &renderer->image.program, &uniforms);
     if (ok && *ready == 1) give(renderer, &renderer->light.throwers, &uniforms);
     if (ok && *ready == 1) give(renderer, &renderer->light.photons, &uniforms);
-    if (ok && *ready == 1) ok = aim(renderer, frame, error);
+    if (ok && *ready == 1) give(renderer, &renderer->chains.steps, &uniforms);
+    if (ok && *ready == 1) give(renderer, &renderer->chains.keep, &uniforms);
+    if (ok && *ready == 1) ok = begin_light(renderer, frame, error);
     uniforms_free(&uniforms);
     return ok && gl_check(renderer->gl, "setting up the pass", error);
 }
@@ -99,8 +111,10 @@ static bool finish(Renderer *renderer, Error *error) {
 }
 
 static unsigned film_parts(const Plan *plan, bool variance) {
-    return (variance ? FILM_SCATTER : 0U) | (plan->needs.search ? FILM_SEARCH : 0U) |
-           (plan_counts_chance(plan) ? FILM_CHANCE : 0U) | (plan->sun.method->traces_light ? FILM_SPLAT : 0U);
+    bool chains = plan->sequence.method->walks_chains;
+    return (variance ? FILM_SCATTER : 0U) | (plan->needs.search && !chains ? FILM_SEARCH : 0U) |
+           (plan_counts_chance(plan) ? FILM_CHANCE : 0U) |
+           (plan->sun.method->traces_light || chains ? FILM_SPLAT : 0U);
 }
 
 /* Sets what follows from the plan and the scene's current values. */
@@ -135,12 +149,13 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
     Frame frame = frame_of(&renderer->plan, params, &camera);
     SunImage image;
     follow(renderer, &frame);
-    if (!create_program(renderer, context, params, error) ||
+    if (!create_program(renderer, context, params, error) || !list_files(renderer, params, error) ||
         !film_create(&renderer->film, context, width, height, film_parts(&renderer->plan, renderer->variance),
                      error) ||
         !create_tables(renderer, context, params, &frame, error) ||
         !image_pass_create(&renderer->image, context, &renderer->plan, error) ||
         !photon_pass_create(&renderer->light, context, &renderer->plan, params, error) ||
+        !chain_pass_create(&renderer->chains, context, &renderer->plan, params, error) ||
         !find_image(renderer, &frame, &image, error) ||
         !image_pass_compile(&renderer->image, &image, &renderer->plan, params, error)) {
         return false;
@@ -249,6 +264,7 @@ void renderer_destroy(Renderer *renderer) {
     program_destroy(&renderer->program);
     image_pass_destroy(&renderer->image);
     photon_pass_destroy(&renderer->light);
+    chain_pass_destroy(&renderer->chains);
     text_free(&renderer->source_files);
     *renderer = (Renderer){0};
 }

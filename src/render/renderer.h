@@ -7,6 +7,7 @@
 
 #include "gl/camera.h"
 #include "gl/film.h"
+#include "render/chain_pass.h"
 #include "render/image_pass.h"
 #include "render/photon_pass.h"
 
@@ -37,13 +38,16 @@ typedef struct Renderer {
     ImagePass image;
     /* The passes that trace light from the sun. */
     PhotonPass light;
+    /* The passes of --sequence metropolis. */
+    ChainPass chains;
     /* Measured for groups of samples; it sets the size of the draws. */
     double pixels_per_second;
     /* For renderer_advance(): the size of the group in progress, 0 if there is none, and its first row that
-     * is not drawn yet. If that is the film's height, only light paths are missing. */
+     * is not drawn yet. If that is the film's height, only splatted light is missing. */
     unsigned group;
     int row;
-    /* The paths of the files that were compiled, with blanks between. */
+    /* The paths of the files that the program which traces the paths was compiled from, with blanks between.
+     */
     Text source_files;
 } Renderer;
 

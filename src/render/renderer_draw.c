@@ -23,21 +23,29 @@ static bool draw_group(Renderer *renderer, const Rectangle *regions, int count, 
     return strips_draw(&renderer->program, regions, count, &renderer->pixels_per_second, stop);
 }
 
-/* Traces light paths for about `seconds`, until there are `paths` of them more or `stop` returns true.
- * Returns whether there are. */
+/* Traces light paths from the sun, or proposes paths to chains, for about `seconds`. Returns how many. */
+static uint64_t splat(Renderer *renderer, uint64_t paths, double seconds) {
+    return renderer->chains.gl ? chain_pass_draw(&renderer->chains, &renderer->film, paths, seconds)
+                               : photon_pass_draw(&renderer->light, &renderer->film, paths, seconds);
+}
+
+/* Splats light for about `seconds`, until there are `paths` of its paths more or `stop` returns true. Returns
+ * whether there are. */
 static bool trace_light(Renderer *renderer, uint64_t paths, double seconds, bool (*stop)(void)) {
     double end = clock_seconds() + seconds;
     while (paths) {
-        uint64_t done = photon_pass_draw(&renderer->light, &renderer->film, paths, end - clock_seconds());
+        uint64_t done = splat(renderer, paths, end - clock_seconds());
         paths = paths > done ? paths - done : 0;
         if (clock_seconds() > end || (stop && stop())) break;
     }
     return !paths;
 }
 
-/* Traces the light paths that belong to so many samples of each pixel. */
+/* Splats the light that belongs to so many samples of each pixel. */
 static bool catch_up(Renderer *renderer, double samples, double seconds, bool (*stop)(void)) {
-    return trace_light(renderer, photon_pass_due(&renderer->light, &renderer->film, samples), seconds, stop);
+    uint64_t due = renderer->chains.gl ? chain_pass_due(&renderer->chains, &renderer->film, samples)
+                                       : photon_pass_due(&renderer->light, &renderer->film, samples);
+    return trace_light(renderer, due, seconds, stop);
 }
 
 bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error) {

@@ -1,5 +1,7 @@
 #include "view/inspect.h"
 
+#include "error/evidence.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -42,7 +44,8 @@ bool inspect_pixel(Inspect *inspect, const Context *context, const RenderParams 
     for (int c = 0; c < 3; c++) deviation[c] = sqrt(light.variance[c]);
     memcpy(figures->radiance, light.radiance, sizeof figures->radiance);
     memcpy(figures->albedo, hit.albedo, sizeof figures->albedo);
-    figures->error_percent = 100 * luminance(deviation) / luminance(light.radiance);
+    bool known = evidence_is_there(&renderer->plan);
+    figures->error_percent = known ? 100 * luminance(deviation) / luminance(light.radiance) : NAN;
     figures->samples = light.samples;
     figures->depth = hit.depth;
     figures->hits = hit.hits;

@@ -1,0 +1,75 @@
+#version 330 core
+// Proposes a path to each chain, one in each texel, and decides whether the chain takes it. While the chains look for their start, the paths are its
+// candidates. Afterwards each step brings two points of light to the picture: the proposed path, weighed by the probability that it is taken, and the path
+// before it by the rest.
+#include "scene.glsl"
+#include "pass/chains.glsl"
+
+vec2 chain_kept(uint dimension) {
+    ivec2 chain = ivec2(gl_FragCoord.xy);
+    vec4 pairs = texelFetch(chain_numbers, ivec2(chain.x, chain.y * int(CHAIN_PAIRS / 2u) + int(dimension / 2u)), 0);
+    return (dimension & 1u) == 0u ? vec2(pairs.x, pairs.y) : vec2(pairs.z, pairs.w);
+}
+
+#include "sequence/chain.glsl"
+#include <sky>
+#include <inputs>
+#include <scene>
+#include <spheres>
+#include <bounds>
+#include <materials>
+#include <sun>
+#include <emission>
+#include <light>
+#include "math/finite.glsl"
+#include "pass/camera.glsl"
+#include <loops>
+
+uniform int max_hits;
+
+// The light that the proposed path brings to the picture's sum in 1 step, and in alpha its pixel; and the same for the path before it.
+layout(location = 0) out vec4 chain_point_new;
+layout(location = 1) out vec4 chain_point_old;
+layout(location = 2) out vec4 chain_light_next;
+layout(location = 3) out vec4 chain_tail_next;
+
+// The place in the picture that a path's first pair of numbers names, in pixels from the top left corner.
+vec2 chain_place(vec2 first) {
+    return first * vec2(picture_size.x, picture_size.y);
+}
+
+// The bits are the column and, from bit 14 on, the row. With the bit above them they are those of a float that no processor takes for zero or for no number.
+float chain_pixel(vec2 place) {
+    return uintBitsToFloat(0x40000000u | (uint(place.y) << 14u) | uint(place.x));
+}
+
+// The point of light of a path with this radiance, for `share` of a step.
+vec4 chain_point(vec2 first, vec3 radiance, float share) {
+    float brightness = chain_brightness(radiance);
+    float scale = share * picture_size.x * picture_size.y;
+    return vec4(brightness > 0.0 ? radiance / brightness * scale : vec3(0.0), chain_pixel(chain_place(first)));
+}
+
+void main() {
+    ivec2 chain = ivec2(gl_FragCoord.xy);
+    vec4 before = chain_age > 0u ? texelFetch(chain_lights, chain, 0) : vec4(0.0);
+    vec4 tail = texelFetch(chain_tails, chain, 0);
+    ChainStep step = chain_step_at(chain);
+    Sequence sequence = sequence_of_chain(step, uvec2(uint(tail.x), uint(tail.y)));
+    vec2 first = sequence_pair(sequence);
+    vec2 pixel = floor(chain_place(first));
+    vec3 radiance = path_radiance(camera_ray(pixel, chain_place(first) - pixel), max_hits, sequence);
+    float brightness = chain_brightness(radiance);
+    bool counts = is_finite(vec3(brightness)) && !loops_ended();
+    radiance = counts ? radiance : vec3(0.0);
+    brightness = counts ? brightness : 0.0;
+
+    bool starts = chain_starts();
+    float probability = starts ? chain_choice(before.a, brightness) : chain_acceptance(chain_brightness(vec3(before)), brightness);
+    bool taken = step.threshold < probability;
+    float weight = starts ? 0.0 : before.a / float(chain_candidates);
+    chain_point_new = chain_point(first, radiance, weight * probability);
+    chain_point_old = chain_point(chain_kept(0u), vec3(before), weight * (1.0 - probability));
+    chain_light_next = vec4(taken ? radiance : vec3(before), starts ? before.a + brightness : before.a);
+    chain_tail_next = vec4(taken ? vec2(float(sequence.tail.x), float(sequence.tail.y)) : vec2(tail.x, tail.y), taken ? 1.0 : 0.0, 0.0);
+}

@@ -1,0 +1,165 @@
+#include "render/chain_pass.h"
+
+#include "base/clock.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    COLUMNS = 256,
+    /* Chains are counted in such rows: llvmpipe shades four rows together. */
+    ROWS_STEP = 4,
+    MOST_ROWS = 64,
+    /* A chain for so many pixels, so that the candidates of all chains are a few paths for each pixel. */
+    PIXELS_A_CHAIN = 4,
+    CANDIDATES = 16,
+    /* After so many steps all chains begin anew: otherwise the error of the candidates' mean would stay. */
+    STEPS_A_LIFE = CANDIDATES + 256,
+    /* CHAIN_PAIRS / 2 of glsl/sequence/chain_step.glsl. */
+    NUMBER_ROWS = 8,
+    /* Steps of a call, and in a second before it is measured. */
+    MOST_STEPS = 64,
+    FIRST_GUESS = 30
+};
+
+/* What glsl/pass/metropolis.glsl writes. */
+enum { POINT_NEW, POINT_OLD, LIGHT, TAIL, OUTPUTS };
+
+static bool compile(Program *program, const Pass *pass, const GlApi *gl, const Plan *plan,
+                    const RenderParams *params, Error *error) {
+    GlslSource source = {0};
+    bool ok =
+        pass_text(pass, plan, params, &source, error) && pass_compile(program, gl, &source, params, error);
+    glsl_source_destroy(&source);
+    return ok;
+}
+
+bool chain_pass_create(ChainPass *pass, const Context *context, const Plan *plan, const RenderParams *params,
+                       Error *error) {
+    const GlApi *gl = &context->gl;
+    *pass = (ChainPass){0};
+    if (!plan->sequence.method->walks_chains) return true;
+    pass->gl = gl;
+    pass->steps_per_second = FIRST_GUESS;
+    pass->points = memory_get((size_t)COLUMNS * MOST_ROWS * 4, sizeof *pass->points);
+    return target_create(&pass->chains, context, COLUMNS, MOST_ROWS, (1U << OUTPUTS) - 1, error) &&
+           target_create(&pass->numbers, context, COLUMNS, MOST_ROWS * NUMBER_ROWS, 1, error) &&
+           compile(&pass->steps, &chain_steps_pass, gl, plan, params, error) &&
+           compile(&pass->keep, &chain_keep_pass, gl, plan, params, error);
+}
+
+void chain_pass_destroy(ChainPass *pass) {
+    if (!pass->gl) return;
+    program_destroy(&pass->steps);
+    program_destroy(&pass->keep);
+    free(pass->points);
+    free(pass->sum);
+    target_destroy(&pass->chains);
+    target_destroy(&pass->numbers);
+    *pass = (ChainPass){0};
+}
+
+/* Makes a program the one in use, for the next step. */
+static void use(const ChainPass *pass, const Program *program, const char *const chain_names[OUTPUTS]) {
+    const Target *chains = &pass->chains, *numbers = &pass->numbers;
+    program_use(program);
+    program_set_uint(program, "chain_number", (unsigned)pass->next);
+    program_set_uint(program, "chain_age", (unsigned)(pass->next % STEPS_A_LIFE));
+    program_set_uint(program, "chain_candidates", CANDIDATES);
+    for (int i = 0; i < OUTPUTS; i++)
+        if (chain_names[i]) program_set_texture(program, chain_names[i], chains->textures[chains->front][i]);
+    program_set_texture(program, "chain_numbers", numbers->textures[numbers->front][0]);
+}
+
+/* Proposes a path to each chain, and decides. */
+static void propose(ChainPass *pass, int columns, int rows) {
+    static const char *const names[OUTPUTS] = {[LIGHT] = "chain_lights", [TAIL] = "chain_tails"};
+    use(pass, &pass->steps, names);
+    target_begin(&pass->chains, &pass->steps, names);
+    program_draw(&pass->steps, 0, 0, columns, rows);
+    target_swap(&pass->chains);
+}
+
+/* Moves the numbers of the chains that took their step. */
+static void keep(ChainPass *pass) {
+    static const char *const names[OUTPUTS] = {[LIGHT] = "chain_lights", [TAIL] = "chain_tails"},
+                             *const number_names[] = {"chain_numbers"};
+    use(pass, &pass->keep, names);
+    target_begin(&pass->numbers, &pass->keep, number_names);
+    program_draw(&pass->keep, 0, 0, COLUMNS, pass->rows * NUMBER_ROWS);
+    target_swap(&pass->numbers);
+}
+
+/* Reads the points of one kind, and adds them to the sum. Those that are not finite are left out, as they are
+ * by glsl/pass/splat.glsl. */
+static void add_points(ChainPass *pass, int kind) {
+    const Target *chains = &pass->chains;
+    const GlApi *gl = pass->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, chains->framebuffer[chains->front]);
+    gl->ReadBuffer(GL_COLOR_ATTACHMENT0 + (GLenum)kind);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->ReadPixels(0, 0, COLUMNS, pass->rows, GL_RGBA, GL_FLOAT, pass->points);
+    for (int i = 0; i < COLUMNS * pass->rows; i++) {
+        const float *point = pass->points + 4 * i;
+        uint32_t bits;
+        memcpy(&bits, point + 3, sizeof bits);
+        int x = (int)(bits & 0x3fff), y = (int)(bits >> 14 & 0x3fff);
+        if (x >= pass->width || y >= pass->height || !isfinite(point[0] + point[1] + point[2])) continue;
+        float *sum = pass->sum + 4 * ((size_t)y * (size_t)pass->width + (size_t)x);
+        for (int c = 0; c < 3; c++) sum[c] += point[c];
+    }
+}
+
+static void restart(ChainPass *pass) {
+    pass->next = 0;
+    target_clear(&pass->chains);
+    target_clear(&pass->numbers);
+    memset(pass->sum, 0, (size_t)pass->width * (size_t)pass->height * 4 * sizeof *pass->sum);
+}
+
+bool chain_pass_begin(ChainPass *pass, int width, int height, Error *error) {
+    if (!pass->gl) return true;
+    double rows = ceil((double)width * height / PIXELS_A_CHAIN / COLUMNS / ROWS_STEP) * ROWS_STEP;
+    pass->rows = (int)fmin(rows, MOST_ROWS);
+    free(pass->sum);
+    pass->sum = memory_get((size_t)width * (size_t)height * 4, sizeof *pass->sum);
+    pass->width = width;
+    pass->height = height;
+    restart(pass);
+    /* Drivers compile a program when it first draws. */
+    propose(pass, 1, 1);
+    keep(pass);
+    if (!program_check(&pass->keep, error)) return false;
+    program_use(&pass->steps);
+    if (!program_check(&pass->steps, error)) return false;
+    restart(pass);
+    pass->gl->Finish();
+    return gl_check(pass->gl, "beginning chains", error);
+}
+
+uint64_t chain_pass_due(const ChainPass *pass, const Film *film, double samples) {
+    if (!pass->gl) return 0;
+    double due = samples * film->width * film->height - film->light_paths;
+    return due > 0 ? (uint64_t)ceil(due) : 0;
+}
+
+uint64_t chain_pass_draw(ChainPass *pass, Film *film, uint64_t paths, double seconds) {
+    double chains = (double)COLUMNS * pass->rows, begin = clock_seconds(), before = film->light_paths;
+    if (before <= 0 && pass->next > CANDIDATES) restart(pass);
+    double most = fmin(fmax(floor(seconds * pass->steps_per_second), 1), MOST_STEPS);
+    int steps = 0, done = 0;
+    for (; steps < most && done * chains < (double)paths; steps++) {
+        bool starts = pass->next % STEPS_A_LIFE < CANDIDATES;
+        propose(pass, COLUMNS, pass->rows);
+        keep(pass);
+        for (int kind = POINT_NEW; !starts && kind <= POINT_OLD; kind++) add_points(pass, kind);
+        done += !starts;
+        pass->next++;
+    }
+    pass->gl->Finish();
+    pass->steps_per_second = steps / fmax(clock_seconds() - begin, 1e-6);
+    film_put_light(film, pass->sum, before + done * chains);
+    return (uint64_t)(done * chains);
+}

@@ -1,0 +1,48 @@
+/* Markov chains over paths (Metropolis light transport in primary sample space; glsl/pass/metropolis.glsl).
+ *
+ * A chain begins at one of a few candidates, which is chosen in proportion to its brightness, and the mean
+ * brightness of the candidates is what each step of the chain weighs. The picture is then right on average
+ * from the first step on: there is no time of settling (Veach 1997). The chains begin anew now and then. In
+ * each step all chains propose a path, and the light of both paths is added to the film's second sum, by how
+ * likely the chain is to be at each.
+ *
+ * The numbers of a step follow from the chain, the step and the seed, so that the picture is the same to the
+ * bit however the steps are cut into draws. */
+#pragma once
+
+#include "gl/film.h"
+#include "render/passes.h"
+
+typedef struct ChainPass {
+    const GlApi *gl;
+    Program steps, keep;
+    /* The chains' points of light and their state, and the numbers that they remember. */
+    Target chains, numbers;
+    /* The points of all chains in a step, as they are read back, and their sum: 4 floats a pixel. llvmpipe
+     * takes thirty times as long to draw a point as the processor takes to add it here. */
+    float *points, *sum;
+    int width, height;
+    /* Rows of chains that this picture has. */
+    int rows;
+    /* The number of the next step. */
+    uint64_t next;
+    /* Measured; it sets how many steps are drawn where time is short. */
+    double steps_per_second;
+} ChainPass;
+
+/* Creates the pass if the plan's sequence walks chains; else `pass` is an empty struct. Errors in GLSL are
+ * STATUS_SCENE. */
+MUST_CHECK bool chain_pass_create(ChainPass *pass, const Context *context, const Plan *plan,
+                                  const RenderParams *params, Error *error);
+void chain_pass_destroy(ChainPass *pass);
+
+/* Begins a picture of this size, with the programs' uniforms and tables set. */
+MUST_CHECK bool chain_pass_begin(ChainPass *pass, int width, int height, Error *error);
+
+/* The number of proposed paths that the film lacks if it is to have one for each sample of each pixel. */
+uint64_t chain_pass_due(const ChainPass *pass, const Film *film, double samples);
+
+/* Draws steps of all chains until `paths` paths are proposed, or as many as a call may take or as take
+ * `seconds`, but at least one. Returns how many paths were added to the film: none, while the chains look for
+ * their start. A film without light begins anew. */
+uint64_t chain_pass_draw(ChainPass *pass, Film *film, uint64_t paths, double seconds);
