@@ -275,9 +275,12 @@ static void test_charts(void **state) {
     snprintf(sky, sizeof sky, "%s/sky.csv", folder);
     Text before = {0}, after = {0};
     read_text(paths, &before);
-    static const char *const rows[] = {
-        ",mis,sobol,even,1,",      "\ngauss:12,cosine,sobol,even,1,", "\npaper:64x16,cosine,sobol,even,1,",
-        ",control,random,even,1,", ",control,metropolis,even,1,",     ",cosine,sobol,adaptive,"};
+    static const char *const rows[] = {",mis,sobol,even,off,1,",
+                                       "\ngauss:12,cosine,sobol,even,off,1,",
+                                       "\npaper:64x16,cosine,sobol,even,off,1,",
+                                       ",control,random,even,off,1,",
+                                       ",control,metropolis,even,off,1,",
+                                       ",cosine,sobol,adaptive,"};
     for (int i = 0; i < 6; i++) {
         if (!strstr(before.data, rows[i])) fail_msg("no %s in %s", rows[i], before.data);
     }
@@ -305,6 +308,54 @@ static void test_charts(void **state) {
     support_expect(0, "", "chart scenes/crater.glsl -o '%s' --sun 5 --time 0.5 --charts sky", folder);
     assert_non_null(strstr(support_out, "sky.csv: its line '# sun 30,0' is '# sun 5,0' now: set aside"));
     remove_charts();
+}
+
+/* Points of other programs stand in the chart under their names, and do not change what is measured. A scene
+ * whose sunlight is traced has curves of `sampled` too. */
+static void test_points(void **state) {
+    (void)state;
+    const char *folder = support_path("charts");
+    const char *points = support_write(
+        "points.csv",
+        "# comment\nprogram,seconds,percent\nOther 1.0 path,0.5,9\nOther 1.0 path,2,4\nthe paper,1,30\n");
+    support_expect(0, "",
+                   "chart tests/data/glass.glsl -o '%s' --size 12x12 --time 1.5 --charts paths --points '%s'",
+                   folder, points);
+    char path[512];
+    Text svg = {0}, csv = {0};
+    snprintf(path, sizeof path, "%s/paths.svg", folder);
+    read_text(path, &svg);
+    snprintf(path, sizeof path, "%s/paths.csv", folder);
+    read_text(path, &csv);
+    assert_non_null(strstr(csv.data, ",cosine,sobol,even,sampled,1,"));
+    assert_non_null(strstr(csv.data, ",cosine,sobol,even,traced,1,"));
+    assert_null(strstr(csv.data, "Other"));
+    size_t with = svg.size;
+    text_free(&svg);
+    support_expect(0, "", "chart tests/data/glass.glsl -o '%s' --size 12x12 --time 1.5 --charts paths",
+                   folder);
+    snprintf(path, sizeof path, "%s/paths.svg", folder);
+    read_text(path, &svg);
+    assert_true(with > svg.size + 500);
+    text_free(&svg);
+    text_free(&csv);
+    remove_charts();
+
+    static const struct {
+        const char *text, *error;
+    } bad[] = {
+        {"program,seconds\n", ":1: the first line is 'program,seconds', and not 'program,seconds,percent'"},
+        {"program,seconds,percent\na,1\n", ":2: a row is program,seconds,percent"},
+        {"program,seconds,percent\na,1,x\n", ":2: percent 'x' is not a number above 0"},
+        {"program,seconds,percent\na,0,1\n", ":2: seconds '0' is not a number above 0"},
+        {"program,seconds,percent\na,2,1\na,1,1\n", ":3: the points of a program are in the order of time"},
+        {"program,seconds,percent\na,1,1\nb,1,1\nc,1,1\nd,1,1\ne,1,1\n", ":6: more than 4 programs"},
+        {"program,seconds,percent\n", ": no points"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        support_expect(2, bad[i].error, "chart scenes/crater.glsl -o '%s' --points '%s'", folder,
+                       support_write("points.csv", bad[i].text));
+    support_expect(2, "points are in percent",
+                   "chart scenes/crater.glsl -o '%s' --error 2levels --points '%s'", folder, points);
 }
 
 /* What Ctrl-C leaves is gone on with. */
@@ -349,12 +400,10 @@ static void test_usage(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_front),       cmocka_unit_test(test_slope),
-        cmocka_unit_test(test_axis),        cmocka_unit_test(test_plot),
-        cmocka_unit_test(test_ledger),      cmocka_unit_test(test_reference),
-        cmocka_unit_test(test_sky_error),   cmocka_unit_test(test_further),
-        cmocka_unit_test(test_usage),       cmocka_unit_test(test_charts),
-        cmocka_unit_test(test_interrupted),
+        cmocka_unit_test(test_front),     cmocka_unit_test(test_slope),   cmocka_unit_test(test_axis),
+        cmocka_unit_test(test_plot),      cmocka_unit_test(test_ledger),  cmocka_unit_test(test_reference),
+        cmocka_unit_test(test_sky_error), cmocka_unit_test(test_further), cmocka_unit_test(test_usage),
+        cmocka_unit_test(test_charts),    cmocka_unit_test(test_points),  cmocka_unit_test(test_interrupted),
     };
     return cmocka_run_group_tests_name("chart", tests, support_folder, support_clean);
 }

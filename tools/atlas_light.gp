@@ -1,6 +1,6 @@
 # The picture of atlas-light.md: gnuplot -c atlas_light.gp FOLDER FILE, with FOLDER/map.DISK.LIGHT by atlas_light.table.awk.
 folder = ARG1
-set terminal pngcairo size 900,760 font "DejaVu Sans,9" background "white"
+set terminal pngcairo size 1060,760 font "DejaVu Sans,9" background "white"
 set output ARG2
 set logscale cb
 set cbrange [1:4]
@@ -12,17 +12,17 @@ stats folder."/map.off.auto" using 1:2 nooutput
 set xrange [-0.5:STATS_max_x + 0.5]
 set yrange [STATS_max_y + 0.5:-0.5]
 set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor "#b8b8b8" fillstyle solid noborder
-set multiplot layout 1,8 margins 0.1,0.9,0.07,0.87 spacing 0.008,0 \
-    title "{/:Bold Time to a given error, the fastest method as 1.} Left without the sun's disk, right with it. Below: the sun's elevation. Grey: chance decides."
+set multiplot layout 1,10 margins 0.1,0.9,0.07,0.87 spacing 0.008,0 \
+    title "{/:Bold Time to a given error, the fastest method as 1.} Left without the sun's disk, right with it. Below: the sun's elevation. Grey: chance decides, or no portal."
 unset colorbox
-do for [disk in "off sampled"] {
-    do for [light in "auto cosine control mis"] {
+do for [disk in "off on"] {
+    do for [light in "auto cosine control mis portal"] {
         set title light
         if (disk eq "off" && light eq "auto") {
             plot folder."/map.off.auto" using 1:2:($3 > 4 ? 4 : $3):ytic(4):xtic(5) with image
             set format y ""
         } else {
-            if (disk eq "sampled" && light eq "mis") {
+            if (disk eq "on" && light eq "portal") {
                 set colorbox user origin 0.915,0.07 size 0.015,0.8
             }
             plot folder."/map.".disk.".".light using 1:2:($3 > 4 ? 4 : $3):xtic(5) with image

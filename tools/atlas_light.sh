@@ -1,8 +1,8 @@
 #!/bin/sh
 # Which light method is the fastest where: tools/atlas_light.sh MAGICHOUR FOLDER CHARTS [SCENES [SUNS]]
 #
-# Renders each scene by each light method, at four elevations of the sun, without its disk and with it: once with some samples and once
-# with twice as many. The difference of the two pictures gives the noise of a sample. Its time is that of the CPU in a longer run, less
+# Renders each scene by each light method that it has a use for, at four elevations of the sun, without its disk and with it (`on`: scenes that
+# throw sunlight trace it): once with some samples and once with twice as many. The difference of the two pictures gives the noise of a sample. Its time is that of the CPU in a longer run, less
 # that of a run of one sample, so that neither the start-up nor a busy machine decides it. It is measured with the sun at 30 only, as it hardly
 # depends on the sun that is up. CHARTS gets atlas-light.{csv,md,png}. What is measured is kept in FOLDER, so that a run that was broken off
 # goes on.
@@ -23,7 +23,13 @@ sky_of() {
 }
 
 options_of() {
-    echo "$root/scenes/$1.glsl --sun $2 --sun-disk=$3 --size $size $(sky_of "$root/scenes/$1.glsl")"
+    if [ "$3" = on ]; then disk_option=--sun-disk; else disk_option=--sun-disk=$3; fi
+    echo "$root/scenes/$1.glsl --sun $2 $disk_option --size $size $(sky_of "$root/scenes/$1.glsl")"
+}
+
+lights_of() {
+    echo cosine control mis
+    ! grep -q '^//@ *portal' "$root/scenes/$1.glsl" || echo portal
 }
 
 # Renders and prints the process's CPU seconds. What it says as JSON goes to a file: cpu_seconds FILE OPTION...
@@ -61,15 +67,15 @@ samples_of() {
     cat "$folder/$1.samples"
 }
 
-for scene in $scenes; do for disk in off sampled; do for light in cosine control mis; do
+for scene in $scenes; do for disk in off on; do for light in $(lights_of "$scene"); do
     time_of "$scene-$disk-$light" $(options_of "$scene" 30 $disk) --light $light
 done; done; done
 
-for sun in $suns; do for scene in $scenes; do for disk in off sampled; do
+for sun in $suns; do for scene in $scenes; do for disk in off on; do
     options=$(options_of "$scene" "$sun" $disk)
     cell=$scene-$sun-$disk
     samples=$(samples_of "$scene-$disk")
-    for light in cosine control mis; do
+    for light in $(lights_of "$scene"); do
         noise_of "$cell-$light-1" "$samples" 1 $options --light $light
         noise_of "$cell-$light-2" "$((2 * samples))" 2 $options --light $light
     done
@@ -95,9 +101,9 @@ ns_file() {
 }
 
 echo "scene,sun,disk,light,samples,ns_a_path,percent_of_one_sample,share_of_ten_pixels,specks,estimated_over_true,auto" >"$folder/atlas-light.csv"
-for scene in $scenes; do for disk in off sampled; do for sun in $suns; do
+for scene in $scenes; do for disk in off on; do for sun in $suns; do
     cell=$scene-$sun-$disk
-    for light in cosine control mis; do
+    for light in $(lights_of "$scene"); do
         name=$folder/$cell-$light
         values "$name-1.pfm" >"$folder/values.1"
         values "$name-2.pfm" >"$folder/values.2"

@@ -1,9 +1,9 @@
 # The tables of atlas-light.md, from atlas-light.csv. The time to a given error is the square of the noise of a sample times the time of
-# a sample. Into the files `map`.{off,sampled}.LIGHT go "column row ratio scene sun", with the time over that of the fastest method, for the
+# a sample. Into the files `map`.{off,on}.LIGHT go "column row ratio scene sun", with the time over that of the fastest method, for the
 # picture.
 function time_of(key) { return noise[key] * noise[key] * ns[key] }
 
-BEGIN { FS = ","; lights = split("cosine control mis", light, " ") }
+BEGIN { FS = ","; lights = split("cosine control mis portal", light, " ") }
 
 NR == 1 { next }
 
@@ -37,7 +37,8 @@ END {
         split(cell, part, ",")
         for (l = 1; l <= lights; l++) {
             ratio[cell, light[l]] = best ? time_of(cell "," light[l]) / best : 1
-            print column[part[2]], scene_row[part[1]], (rare[cell] ? "NaN" : ratio[cell, light[l]]), part[1], part[2] >(map "." part[3] "." light[l])
+            known_ratio = !rare[cell] && (cell "," light[l]) in noise
+            print column[part[2]], scene_row[part[1]], (known_ratio ? ratio[cell, light[l]] : "NaN"), part[1], part[2] >(map "." part[3] "." light[l])
         }
         loss[cell] = ratio[cell, taken[cell]]
         print column[part[2]], scene_row[part[1]], (rare[cell] ? "NaN" : loss[cell]), part[1], part[2] >(map "." part[3] ".auto")

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "chart/monitor.h"
+#include "chart/points.h"
 #include "error/promise.h"
 
 typedef struct ChartParams {
@@ -22,6 +23,8 @@ typedef struct ChartParams {
     double seconds;
     /* The choice of auto is marked at this error, and errors of pictures are drawn in its measure. */
     ErrorTarget target;
+    /* What other programs reached, for the chart of paths; NULL if nothing is known. */
+    const Points *points;
     Monitor monitor;
     /* Gets the findings, and the names of files that were set aside, a line each. */
     Text *said;

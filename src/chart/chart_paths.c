@@ -3,6 +3,7 @@
 #include "chart/chart.h"
 #include "chart/identity.h"
 #include "choice/method.h"
+#include "sky/sun.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -36,15 +37,22 @@ static bool may_walk_chains(const RenderParams *picture) {
            (method_choose(&sun, METHOD_SUN, picture->sun_disk, &ignored) && !sun.method->traces_light);
 }
 
+/* Says whether the picture's sunlight is traced from the sun. */
+static bool traces_light(const RenderParams *picture) {
+    MethodChoice choice;
+    Error ignored;
+    return sun_choose(&choice, picture->sun_disk, picture->scene, &ignored) && choice.method->traces_light;
+}
+
 /* Adds a light method with the sky that auto takes: once with adaptive and once with even sampling. If `all`
  * is set, even sampling is added for the other sequences too. */
-static void add_light(Paths *paths, const char *light, int color, bool all) {
+static void add_light(Paths *paths, const char *light, const char *disk, int color, bool all) {
     static const struct {
         const char *sequence;
         PlotMarker marker;
     } others[] = {{"additive", PLOT_SQUARE}, {"random", PLOT_TRIANGLE}, {"metropolis", PLOT_DIAMOND}};
     int count = !all ? 0 : may_walk_chains(&paths->params->picture) ? 3 : 2;
-    Drawn drawn = {.combination = {NULL, light, "sobol", true},
+    Drawn drawn = {.combination = {NULL, light, "sobol", true, disk},
                    .panels = PANEL_LIGHTS,
                    .color = color,
                    .marker = PLOT_DIAMOND,
@@ -71,12 +79,13 @@ static void choose_curves(Paths *paths) {
     bool integrates = sky_integrates(picture);
     bool control = integrates && scene_hint_count(picture->scene, HINT_BOUND);
     add(paths, &(Drawn){.combination = {.adaptive = true}});
-    if (control) add_light(paths, "control", 0, true);
-    add_light(paths, "mis", 1, false);
-    add_light(paths, "cosine", 2, !control);
-    if (scene_hint_count(picture->scene, HINT_PORTAL)) add_light(paths, "portal", 3, false);
+    if (control) add_light(paths, "control", NULL, 0, true);
+    add_light(paths, "mis", NULL, 1, false);
+    add_light(paths, "cosine", NULL, 2, !control);
+    if (scene_hint_count(picture->scene, HINT_PORTAL)) add_light(paths, "portal", NULL, 3, false);
+    if (traces_light(picture)) add_light(paths, "cosine", "sampled", 5, false);
     for (int i = 0; integrates && i < 7; i++) {
-        add(paths, &(Drawn){.combination = {skies[i], "cosine", "sobol", false},
+        add(paths, &(Drawn){.combination = {.sky = skies[i], .light = "cosine", .sequence = "sobol"},
                             .panels = PANEL_SKIES,
                             .color = i,
                             .marker = i == 0  ? PLOT_SQUARE
@@ -90,6 +99,7 @@ static RenderParams with(const RenderParams *picture, const Combination *combina
     params.sky = combination->sky;
     params.light = combination->light;
     params.sequence = combination->sequence;
+    if (combination->disk) params.sun_disk = combination->disk;
     params.samples = 0;
     return params;
 }

@@ -39,6 +39,18 @@ static void draw_curve(PlotPanel *panel, const Drawn *curve, const char *label) 
         plot_add_point(series, curve->points[i].seconds, curve->points[i].percent);
 }
 
+/* Draws the points of other programs. The front is that of the curves alone. */
+static void draw_programs(const Points *points, PlotPanel *panel) {
+    static const PlotMarker markers[] = {PLOT_TRIANGLE, PLOT_SQUARE, PLOT_DIAMOND, PLOT_DOT};
+    for (int i = 0; i < points->count; i++) {
+        const ProgramPoints *program = &points->programs[i];
+        PlotSeries *series =
+            plot_add_series(panel, PLOT_COLORS - 1, markers[i % 4], PLOT_DOTTED, "%s", program->name);
+        for (int k = 0; k < program->count; k++)
+            plot_add_point(series, program->points[k].seconds, program->points[k].percent);
+    }
+}
+
 static void draw_panel(const Paths *paths, Plot *plot, int which, const char *title) {
     PlotPanel *panel = &plot->panels[plot->panel_count];
     snprintf(panel->title, sizeof panel->title, "%s", title);
@@ -51,13 +63,15 @@ static void draw_panel(const Paths *paths, Plot *plot, int which, const char *ti
         if (!(curve->panels & which)) continue;
         if (which == PANEL_LIGHTS) {
             bool plain = strcmp(curve->curve.row.words[2], method_family(METHOD_SEQUENCE)->fallback) == 0;
-            snprintf(label, sizeof label, "%s, %s", curve->curve.row.words[1],
-                     curve->curve.row.words[plain ? 3 : 2]);
+            const char *disk = curve->combination.disk;
+            snprintf(label, sizeof label, "%s, %s%s%s", curve->curve.row.words[1],
+                     curve->curve.row.words[plain ? 3 : 2], disk ? ", sun " : "", disk ? disk : "");
         } else {
             snprintf(label, sizeof label, "%s", curve->curve.row.words[0]);
         }
         draw_curve(panel, curve, label);
     }
+    if (which == PANEL_LIGHTS && paths->params->points) draw_programs(paths->params->points, panel);
     draw_front(paths, panel);
     plot->panel_count += panel->series_count > 0;
 }

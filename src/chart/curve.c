@@ -19,6 +19,7 @@ static void name(const Renderer *renderer, bool adaptive, LedgerRow *row) {
     snprintf(row->words[0], sizeof row->words[0], "%s", renderer->plan.sky.text);
     snprintf(row->words[1], sizeof row->words[1], "%s", renderer->plan.light.text);
     snprintf(row->words[2], sizeof row->words[2], "%s", renderer->plan.sequence.text);
+    snprintf(row->words[4], sizeof row->words[4], "%s", renderer->plan.sun.text);
 }
 
 /* Says whether another point, with twice the samples, would be past the limits. */
@@ -40,6 +41,7 @@ bool curve_open(Curve *curve, const Combination *combination, const Context *con
     mine.sky = combination->sky;
     mine.light = combination->light;
     mine.sequence = combination->sequence;
+    if (combination->disk) mine.sun_disk = combination->disk;
     mine.samples = 0;
     if (!renderer_create(&curve->renderer, context, &mine, error)) return false;
     curve->open = true;

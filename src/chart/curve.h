@@ -9,14 +9,16 @@
 #include "chart/reference.h"
 #include "chart/stopwatch.h"
 
-#define CURVE_COLUMNS "sky,light,sequence,sampling,samples,seconds,error,last"
-enum { CURVE_WORDS = 4, CURVE_MOST_POINTS = 32, CURVE_MOST_ROUNDS = 64 };
+#define CURVE_COLUMNS "sky,light,sequence,sampling,disk,samples,seconds,error,last"
+enum { CURVE_WORDS = 5, CURVE_MOST_POINTS = 32, CURVE_MOST_ROUNDS = 64 };
 
 /* The names of methods. NULL is auto. */
 typedef struct Combination {
     const char *sky, *light, *sequence;
     /* Whether samples are distributed as `render` does it. If not, all pixels get the same number. */
     bool adaptive;
+    /* The method of the sun's disk. NULL is the picture's. */
+    const char *disk;
 } Combination;
 
 typedef struct CurveLimits {

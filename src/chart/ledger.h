@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 
-enum { LEDGER_WORDS = 4, LEDGER_NUMBERS = 4 };
+enum { LEDGER_WORDS = 5, LEDGER_NUMBERS = 4 };
 
 typedef struct LedgerRow {
     char words[LEDGER_WORDS][48];

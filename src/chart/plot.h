@@ -3,7 +3,7 @@
 
 #include "base/text.h"
 
-enum { PLOT_POINTS = 48, PLOT_SERIES = 12, PLOT_PANELS = 4, PLOT_NOTES = 4, PLOT_COLORS = 7 };
+enum { PLOT_POINTS = 48, PLOT_SERIES = 16, PLOT_PANELS = 4, PLOT_NOTES = 4, PLOT_COLORS = 7 };
 
 typedef struct PlotPoint {
     /* A point is left out unless both are above 0. */

@@ -32,6 +32,7 @@ typedef struct Job {
     Scene scene;
     Context context;
     bool wanted[CHARTS];
+    Points points;
     Text identity, said;
     Gauge gauge;
     SkyWatch watch;
@@ -69,10 +70,19 @@ static bool make_folder(const char *folder, Error *error) {
                      strerror(failed));
 }
 
+static bool read_points(Job *job, Error *error) {
+    const Options *options = job->options;
+    if (!options->points) return true;
+    if (options->error.measure == NOISE_LEVELS)
+        return error_set(error, STATUS_USAGE,
+                         "--points: the points are in percent, and --error asks for levels");
+    return points_read(&job->points, options->points, error);
+}
+
 static bool prepare(Job *job, Error *error) {
     const Options *options = job->options;
     if (options->output_count != 1) return error_set(error, STATUS_USAGE, "where to? (-o DIR, one folder)");
-    return choose_charts(options->charts, job->wanted, error) &&
+    return choose_charts(options->charts, job->wanted, error) && read_points(job, error) &&
            setup_library(options, &job->library, error) &&
            setup_scene(options, job->library, &job->scene, error) &&
            (!options->width || scene_check_size(options->width, options->height, error)) &&
@@ -102,6 +112,7 @@ static bool make_charts(Job *job, Error *error) {
                           .folder = options->outputs[0],
                           .identity = text_string(&job->identity),
                           .target = target,
+                          .points = options->points ? &job->points : NULL,
                           .said = &job->said};
     Monitor all = {interrupt_requested, report, &job->gauge, 0, 1};
     for (int i = 0; i < CHARTS; i++) whole += job->wanted[i] ? charts[i].share : 0;

@@ -94,6 +94,10 @@ const OptionRow option_table[] = {
      NULL},
     {GROUP_OUTPUT, "--charts", "LIST", H, LIST(charts, "paths,sky,scale"),
      "some of paths,sky,scale; all by default", NULL},
+    {GROUP_OUTPUT, "--points", "FILE.csv", H, STRING(points),
+     "what other programs reached: rows program,seconds,percent, drawn beside the curves of the chart of "
+     "paths",
+     NULL},
     {GROUP_OUTPUT, "--all", NULL, F, FLAG(all),
      "every program of a picture, in the order in which they are drawn, each after a line with its name",
      NULL},

@@ -54,6 +54,8 @@ typedef struct Options {
 
     /* A list of charts such as "paths,sky". */
     const char *charts;
+    /* A CSV of points that other programs reached. */
+    const char *points;
 
     unsigned seed;
     int depth;
