@@ -4,7 +4,7 @@
 //@ sky     uniform:1
 //@ size    128 128
 //@ portal  -2.2 1.5 0  90 0  0.7 1.2
-// tools/peer_hard_light.py has the same room for another renderer.
+// tools/peer_error.py has the same room for another renderer.
 #include "material/matte.glsl"
 #include "shape/box.glsl"
 
