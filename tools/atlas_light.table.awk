@@ -31,14 +31,15 @@ END {
         cell = order[i]
         best = 0
         for (l = 1; l <= lights; l++) {
+            if (!(cell "," light[l] in noise)) continue
             t = time_of(cell "," light[l])
             if (t > 0 && (!best || t < best)) { best = t; winner[cell] = light[l] }
         }
         split(cell, part, ",")
         for (l = 1; l <= lights; l++) {
-            ratio[cell, light[l]] = best ? time_of(cell "," light[l]) / best : 1
-            known_ratio = !rare[cell] && (cell "," light[l]) in noise
-            print column[part[2]], scene_row[part[1]], (known_ratio ? ratio[cell, light[l]] : "NaN"), part[1], part[2] >(map "." part[3] "." light[l])
+            measured = (cell "," light[l]) in noise
+            if (measured) ratio[cell, light[l]] = best ? time_of(cell "," light[l]) / best : 1
+            print column[part[2]], scene_row[part[1]], (measured && !rare[cell] ? ratio[cell, light[l]] : "NaN"), part[1], part[2] >(map "." part[3] "." light[l])
         }
         loss[cell] = ratio[cell, taken[cell]]
         print column[part[2]], scene_row[part[1]], (rare[cell] ? "NaN" : loss[cell]), part[1], part[2] >(map "." part[3] ".auto")
