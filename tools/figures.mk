@@ -1,5 +1,5 @@
 # What the READMEs show and claim, made anew: pictures, charts and measurements. Included by the Makefile.
-.PHONY: gallery atlas atlas-light references honesty bias-scan sheets skies charts view check-view measure-view
+.PHONY: gallery atlas atlas-light references honesty bias-scan sheets skies charts points view check-view measure-view
 
 # The README's pictures.
 gallery: all
@@ -38,12 +38,13 @@ skies: all
 	@tools/deps.sh --missing figures
 	tools/skies.sh $(BUILD)/magichour out/skies scenes/gallery
 
-# The README's charts of speed against accuracy, measured here; what is measured already is only drawn again.
+# The READMEs' charts of speed against accuracy, measured here in a quarter of an hour; what is measured already is only drawn again.
 charts: all
-	mkdir -p out scenes/gallery
-	$(BUILD)/magichour chart scenes/crater.glsl -o out/charts --time 240
-	for chart in paths sky scale; do for kind in png csv; do \
-		cp out/charts/$$chart.$$kind scenes/gallery/chart-$$chart.$$kind; done; done
+	tools/charts.sh $(BUILD)/magichour out/charts scenes/gallery
+
+# The points of Mitsuba and of the paper's own method in these charts: two minutes. tools/peer_error.py says how Mitsuba is installed.
+points: all
+	tools/points.sh $(BUILD)/magichour scenes/gallery
 
 # The window, on the paper's scene.
 view: all
