@@ -4,6 +4,7 @@
 #include "support.h"
 #include "ztest.h"
 
+#include "render/chain_starts.h"
 #include "render/renderer.h"
 
 #include <math.h>
@@ -126,6 +127,38 @@ static void test_law(void **state) {
             assert_true(sqrt(variance) < 0.02 * wanted[k]);
             assert_true(ztest_difference(name, sum - wanted[k], variance, wanted[k], 16));
         }
+    }
+}
+
+/* Over the offset, each start is taken as often as its weight says, and for one offset to less than one
+ * chain. Chains without light, and weights that are not finite, start none. Without any light each chain
+ * keeps its own start. */
+static void test_starts(void **state) {
+    (void)state;
+    enum { COUNT = 7, OFFSETS = 1000 };
+    static const float weights[COUNT] = {0, 1, 0.125F, NAN, 5, 0, 0.375F}, none[COUNT] = {0, NAN, -1};
+    double taken[COUNT] = {0}, sum = 6.5;
+    int sources[COUNT];
+    for (int k = 0; k < OFFSETS; k++) {
+        int here[COUNT] = {0};
+        double mean = chain_starts(weights, COUNT, (k + 0.5) / OFFSETS, sources);
+        assert_true(fabs(mean - sum / COUNT) < 1e-12);
+        for (int i = 0; i < COUNT; i++) here[sources[i]]++;
+        for (int i = 0; i < COUNT; i++) {
+            double wanted = isfinite(weights[i]) ? COUNT * (double)weights[i] / sum : 0;
+            assert_true(fabs(here[i] - wanted) < 1);
+            taken[i] += here[i] / (double)OFFSETS;
+        }
+    }
+    for (int i = 0; i < COUNT; i++) {
+        double wanted = isfinite(weights[i]) ? COUNT * (double)weights[i] / sum : 0;
+        assert_true(fabs(taken[i] - wanted) < 0.002);
+    }
+    for (int k = 0; k < 2; k++) {
+        assert_true(chain_starts(none, COUNT, k ? 0.999999999 : 0, sources) == 0);
+        for (int i = 0; i < COUNT; i++) assert_int_equal(sources[i], i);
+        assert_true(chain_starts(weights, COUNT, k ? 0.999999999 : 0, sources) > 0);
+        for (int i = 0; i < COUNT; i++) assert_true(weights[sources[i]] > 0);
     }
 }
 
@@ -354,11 +387,17 @@ static void test_refused(void **state) {
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_moves),   cmocka_unit_test(test_proposals),
-        cmocka_unit_test(test_law),     cmocka_unit_test(test_same_means),
-        cmocka_unit_test(test_furnace), cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_cuts),    cmocka_unit_test(test_another_driver),
-        cmocka_unit_test(test_black),   cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_moves),
+        cmocka_unit_test(test_proposals),
+        cmocka_unit_test(test_law),
+        cmocka_unit_test(test_starts),
+        cmocka_unit_test(test_same_means),
+        cmocka_unit_test(test_furnace),
+        cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_cuts),
+        cmocka_unit_test(test_another_driver),
+        cmocka_unit_test(test_black),
+        cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests_name("metropolis", tests, support_folder, support_clean);
 }

@@ -5,9 +5,11 @@
 #include "scene.glsl"
 #include "pass/chains.glsl"
 
+// Where the path before the step is kept.
+ivec2 chain_before = ivec2(0);
+
 vec2 chain_kept(uint dimension) {
-    ivec2 chain = ivec2(gl_FragCoord.xy);
-    vec4 pairs = texelFetch(chain_numbers, ivec2(chain.x, chain.y * int(CHAIN_PAIRS / 2u) + int(dimension / 2u)), 0);
+    vec4 pairs = texelFetch(chain_numbers, ivec2(chain_before.x, chain_before.y * int(CHAIN_PAIRS / 2u) + int(dimension / 2u)), 0);
     return (dimension & 1u) == 0u ? vec2(pairs.x, pairs.y) : vec2(pairs.z, pairs.w);
 }
 
@@ -52,8 +54,9 @@ vec4 chain_point(vec2 first, vec3 radiance, float share) {
 
 void main() {
     ivec2 chain = ivec2(gl_FragCoord.xy);
-    vec4 before = chain_age > 0u ? texelFetch(chain_lights, chain, 0) : vec4(0.0);
-    vec4 tail = texelFetch(chain_tails, chain, 0);
+    chain_before = chain_source(chain);
+    vec4 before = chain_age > 0u ? texelFetch(chain_lights, chain_before, 0) : vec4(0.0);
+    vec4 tail = texelFetch(chain_tails, chain_before, 0);
     ChainStep step = chain_step_at(chain);
     Sequence sequence = sequence_of_chain(step, uvec2(uint(tail.x), uint(tail.y)));
     vec2 first = sequence_pair(sequence);
@@ -67,9 +70,9 @@ void main() {
     bool starts = chain_starts();
     float probability = starts ? chain_choice(before.a, brightness) : chain_acceptance(chain_brightness(vec3(before)), brightness);
     bool taken = step.threshold < probability;
-    float weight = starts ? 0.0 : before.a / float(chain_candidates);
+    float weight = starts ? 0.0 : chain_age == chain_candidates ? chain_mean : before.a;
     chain_point_new = chain_point(first, radiance, weight * probability);
     chain_point_old = chain_point(chain_kept(0u), vec3(before), weight * (1.0 - probability));
-    chain_light_next = vec4(taken ? radiance : vec3(before), starts ? before.a + brightness : before.a);
+    chain_light_next = vec4(taken ? radiance : vec3(before), starts ? before.a + brightness : weight);
     chain_tail_next = vec4(taken ? vec2(float(sequence.tail.x), float(sequence.tail.y)) : vec2(tail.x, tail.y), taken ? 1.0 : 0.0, 0.0);
 }

@@ -2,6 +2,8 @@
 
 #include "base/clock.h"
 #include "base/memory.h"
+#include "gl/texture.h"
+#include "render/chain_starts.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -44,6 +46,7 @@ bool chain_pass_create(ChainPass *pass, const Context *context, const Plan *plan
     pass->gl = gl;
     pass->steps_per_second = FIRST_GUESS;
     pass->points = memory_get((size_t)COLUMNS * MOST_ROWS * 4, sizeof *pass->points);
+    pass->sources = texture_create(gl, COLUMNS, MOST_ROWS, GL_NEAREST, NULL);
     return target_create(&pass->chains, context, COLUMNS, MOST_ROWS, (1U << OUTPUTS) - 1, error) &&
            target_create(&pass->numbers, context, COLUMNS, MOST_ROWS * NUMBER_ROWS, 1, error) &&
            compile(&pass->steps, &chain_steps_pass, gl, plan, params, error) &&
@@ -54,6 +57,7 @@ void chain_pass_destroy(ChainPass *pass) {
     if (!pass->gl) return;
     program_destroy(&pass->steps);
     program_destroy(&pass->keep);
+    pass->gl->DeleteTextures(1, &pass->sources);
     free(pass->points);
     free(pass->sum);
     target_destroy(&pass->chains);
@@ -68,6 +72,8 @@ static void use(const ChainPass *pass, const Program *program, const char *const
     program_set_uint(program, "chain_number", (unsigned)pass->next);
     program_set_uint(program, "chain_age", (unsigned)(pass->next % STEPS_A_LIFE));
     program_set_uint(program, "chain_candidates", CANDIDATES);
+    program_set_float(program, "chain_mean", pass->mean);
+    program_set_texture(program, "chain_sources", pass->sources);
     for (int i = 0; i < OUTPUTS; i++)
         if (chain_names[i]) program_set_texture(program, chain_names[i], chains->textures[chains->front][i]);
     program_set_texture(program, "chain_numbers", numbers->textures[numbers->front][0]);
@@ -92,15 +98,41 @@ static void keep(ChainPass *pass) {
     target_swap(&pass->numbers);
 }
 
-/* Reads the points of one kind, and adds them to the sum. Those that are not finite are left out, as they are
- * by glsl/pass/splat.glsl. */
-static void add_points(ChainPass *pass, int kind) {
+/* Reads what the last step wrote: 4 floats for each chain. */
+static void read(const ChainPass *pass, int output, float *texels) {
     const Target *chains = &pass->chains;
     const GlApi *gl = pass->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, chains->framebuffer[chains->front]);
-    gl->ReadBuffer(GL_COLOR_ATTACHMENT0 + (GLenum)kind);
+    gl->ReadBuffer(GL_COLOR_ATTACHMENT0 + (GLenum)output);
     gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl->ReadPixels(0, 0, COLUMNS, pass->rows, GL_RGBA, GL_FLOAT, pass->points);
+    gl->ReadPixels(0, 0, COLUMNS, pass->rows, GL_RGBA, GL_FLOAT, texels);
+}
+
+/* Shares the starts out among the chains, when all candidates are drawn. The random number belongs to this
+ * life of the chains: a Weyl sequence over the lives, begun by a hash of the seed. */
+static void share_starts(ChainPass *pass) {
+    int count = COLUMNS * pass->rows, *sources = memory_get((size_t)count, sizeof *sources);
+    float *texels = memory_get((size_t)COLUMNS * MOST_ROWS * 4, sizeof *texels),
+          *weights = memory_get((size_t)count, sizeof *weights);
+    uint32_t life = (uint32_t)(pass->next / STEPS_A_LIFE), bits = (pass->seed + 1) * 747796405U;
+    bits = (bits ^ bits >> 16) * 2891336453U + life * 2654435769U;
+    read(pass, LIGHT, texels);
+    for (int i = 0; i < count; i++) weights[i] = texels[4 * i + 3];
+    pass->mean = chain_starts(weights, count, bits / 4294967296.0, sources) / CANDIDATES;
+    for (int i = 0; i < count; i++) {
+        texels[4 * i] = (float)(sources[i] % COLUMNS);
+        texels[4 * i + 1] = (float)(sources[i] / COLUMNS);
+    }
+    texture_resize(pass->gl, pass->sources, COLUMNS, MOST_ROWS, texels);
+    free(sources);
+    free(texels);
+    free(weights);
+}
+
+/* Reads the points of one kind, and adds them to the sum. Those that are not finite are left out, as they are
+ * by glsl/pass/splat.glsl. */
+static void add_points(ChainPass *pass, int kind) {
+    read(pass, kind, pass->points);
     for (int i = 0; i < COLUMNS * pass->rows; i++) {
         const float *point = pass->points + 4 * i;
         uint32_t bits;
@@ -119,12 +151,13 @@ static void restart(ChainPass *pass) {
     memset(pass->sum, 0, (size_t)pass->width * (size_t)pass->height * 4 * sizeof *pass->sum);
 }
 
-bool chain_pass_begin(ChainPass *pass, int width, int height, Error *error) {
+bool chain_pass_begin(ChainPass *pass, int width, int height, unsigned seed, Error *error) {
     if (!pass->gl) return true;
     double rows = ceil((double)width * height / PIXELS_A_CHAIN / COLUMNS / ROWS_STEP) * ROWS_STEP;
     pass->rows = (int)fmin(rows, MOST_ROWS);
     free(pass->sum);
     pass->sum = memory_get((size_t)width * (size_t)height * 4, sizeof *pass->sum);
+    pass->seed = seed;
     pass->width = width;
     pass->height = height;
     restart(pass);
@@ -152,6 +185,7 @@ uint64_t chain_pass_draw(ChainPass *pass, Film *film, uint64_t paths, double sec
     int steps = 0, done = 0;
     for (; steps < most && done * chains < (double)paths; steps++) {
         bool starts = pass->next % STEPS_A_LIFE < CANDIDATES;
+        if (pass->next % STEPS_A_LIFE == CANDIDATES) share_starts(pass);
         propose(pass, COLUMNS, pass->rows);
         keep(pass);
         for (int kind = POINT_NEW; !starts && kind <= POINT_OLD; kind++) add_points(pass, kind);

@@ -1,10 +1,10 @@
 /* Markov chains over paths (Metropolis light transport in primary sample space; glsl/pass/metropolis.glsl).
  *
- * A chain begins at one of a few candidates, which is chosen in proportion to its brightness, and the mean
- * brightness of the candidates is what each step of the chain weighs. The picture is then right on average
- * from the first step on: there is no time of settling (Veach 1997). The chains begin anew now and then. In
- * each step all chains propose a path, and the light of both paths is added to the film's second sum, by how
- * likely the chain is to be at each.
+ * Each chain draws a few candidates, and one of them is chosen in proportion to its brightness. These starts
+ * are shared out among all chains (render/chain_starts.h), which then weigh the mean brightness of all
+ * candidates. The picture is right on average from the first step on: there is no time of settling (Veach
+ * 1997). The chains begin anew now and then. In each step all chains propose a path, and the light of both
+ * paths is added to the film's second sum, by how likely the chain is to be at each.
  *
  * The numbers of a step follow from the chain, the step and the seed, so that the picture is the same to the
  * bit however the steps are cut into draws. */
@@ -22,6 +22,10 @@ typedef struct ChainPass {
      * takes thirty times as long to draw a point as the processor takes to add it here. */
     float *points, *sum;
     int width, height;
+    /* The chain from which each chain takes its start, and what all chains then weigh. */
+    GLuint sources;
+    double mean;
+    unsigned seed;
     /* Rows of chains that this picture has. */
     int rows;
     /* The number of the next step. */
@@ -37,7 +41,7 @@ MUST_CHECK bool chain_pass_create(ChainPass *pass, const Context *context, const
 void chain_pass_destroy(ChainPass *pass);
 
 /* Begins a picture of this size, with the programs' uniforms and tables set. */
-MUST_CHECK bool chain_pass_begin(ChainPass *pass, int width, int height, Error *error);
+MUST_CHECK bool chain_pass_begin(ChainPass *pass, int width, int height, unsigned seed, Error *error);
 
 /* The number of proposed paths that the film lacks if it is to have one for each sample of each pixel. */
 uint64_t chain_pass_due(const ChainPass *pass, const Film *film, double samples);

@@ -53,7 +53,7 @@ static void give(const Renderer *renderer, const Program *program, const Uniform
 /* Begins what is splatted. A preview has no light paths, because the next one may come at once. */
 static bool begin_light(Renderer *renderer, const Frame *frame, Error *error) {
     const Camera *camera = &frame->camera;
-    if (!chain_pass_begin(&renderer->chains, camera->width, camera->height, error) ||
+    if (!chain_pass_begin(&renderer->chains, camera->width, camera->height, renderer->seed, error) ||
         !photon_pass_aim(&renderer->light, frame, !frame->coarse, error))
         return false;
     program_use(&renderer->program);
