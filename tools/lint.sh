@@ -89,7 +89,7 @@ check_circles() {
 # The library is pure: only files of pass/ have uniforms and textures, and know of the program's inputs and outputs.
 check_glsl_layers() {
     found=0
-    layered glsl "math scene.glsl color=shape=distance=material sequence=sky sun=light=emission pass" $(git ls-files 'glsl/*.glsl') || found=1
+    layered glsl "math scene.glsl color=shape=distance=material sequence=sky mist sun=light=emission pass" $(git ls-files 'glsl/*.glsl') || found=1
     circles glsl $(git ls-files 'glsl/*.glsl') || found=1
     for file in $(git ls-files 'glsl/*.glsl' ':!glsl/pass'); do
         sed 's|//.*||' "$file" | grep -nE '^ *(layout.*)?uniform |\<sampler[123]D|\<texture[A-Z(]|\<texel|\<gl_|^#version|^(in|out) ' >"$work/lines" || continue

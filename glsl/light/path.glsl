@@ -1,8 +1,13 @@
 // The path loop, the same for every light method. A ray bounces from hit to hit, and the light of the sun's disk and of lamps is
-// gathered at each. There is no air between the hits. A method includes this file after its PathMemory and the functions that
+// gathered at each. A hit is on a surface or in the mist. A method includes this file after its PathMemory and the functions that
 // light/walk.glsl lists.
+//
+// The sun's light through mist is gathered by expectation: from each part of the path, that of one place in the mist before the surface, and that of the
+// surface itself, each with its share. Where the path itself is scattered is drawn apart from this. A place in the mist where that happens does not look
+// for the sun again.
 #include "emission/ask.glsl"
 #include "light/roulette.glsl"
+#include "light/stretch.glsl"
 #include "light/walk.glsl"
 #include "sun/ask.glsl"
 
@@ -10,19 +15,25 @@
 vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     Path path = Path(ray, vec3(1.0), vec3(0.0), 0, sun_start(), 1.0, false);
     PathMemory memory = path_start();
+    // Drawn while the path is alive and used in the next turn: llvmpipe may compute what stands at a loop's top once more for paths that have ended.
+    vec2 w = mist_here() ? sequence_pair(sequence) : vec2(0.0);
     bool alive = true;
     do {
-        Hit hit = surface_hit(path.ray);
+        Stretch stretch = stretch_of(path.ray, w);
+        Hit hit = stretch.hit;
         path.escaped = hit.t >= INFINITY;
-        path.gathered += path.throughput * emission_met(hit, path.ray.direction, path.lamp_share);
+        if (!stretch.in_mist) path.gathered += path.throughput * emission_met(hit, path.ray.direction, path.lamp_share);
+        if (mist_here() && path.hits < max_hits) {
+            path.gathered += path.throughput * stretch_sun(stretch, path, max_hits - path.hits - 1, sequence);
+        }
         alive = !path.escaped && path.hits < max_hits;
         if (alive) {
             vec3 incoming = path.ray.direction;
             vec2 u = sequence_pair(sequence);
             vec2 v = sequence_pair(sequence);
-            Material material = surface_material(hit);
+            Material material = stretch_material(stretch);
             Bounce bounce = path_bounce(memory, path, hit, material, u, v);
-            path.gathered += path.throughput * sun_reflected(path.sun, hit, material, incoming, max_hits - path.hits - 1, sequence);
+            path.gathered += path.throughput * stretch_surface_sun(stretch, path, material, max_hits - path.hits - 1, sequence);
             path.sun = sun_after_bounce(path.sun, hit, material, incoming, bounce);
             vec3 lamp = emission_direction(hit, sequence);
             float lamp_pdf = path_pdf(memory, path, hit, material, lamp);
@@ -33,7 +44,9 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             path.hits += 1;
             float survival = roulette_survival(path.throughput, path.hits);
             alive = !(v.y >= survival);
-            path.throughput /= alive ? survival : 1.0;
+            // A path that has ended brings nothing, whatever is computed of it after this turn.
+            path.throughput = alive ? path.throughput / survival : vec3(0.0);
+            if (mist_here()) w = sequence_pair(sequence);
             path_after(memory, path, alive);
         }
     } while (alive);

@@ -19,6 +19,7 @@ vec2 chain_kept(uint dimension) {
 #include <scene>
 #include <spheres>
 #include <bounds>
+#include <mist>
 #include <materials>
 #include <sun>
 #include <emission>

@@ -7,6 +7,7 @@
 #include <inputs>
 #include <scene>
 #include <spheres>
+#include <mist>
 #include <materials>
 #include "light/lambert.glsl"
 #include "light/through.glsl"

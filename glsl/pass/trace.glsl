@@ -7,6 +7,7 @@
 #include <scene>
 #include <spheres>
 #include <bounds>
+#include <mist>
 #include <materials>
 #include <sun>
 #include <sun-image>

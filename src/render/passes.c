@@ -2,6 +2,7 @@
 
 #include "render/drawn_mirrors.h"
 #include "render/inputs.h"
+#include "render/mist.h"
 #include "render/spheres.h"
 #include "sky/further.h"
 #include "sky/irradiance.h"
@@ -81,6 +82,7 @@ static void scene_slots(SlotList *slots, const Plan *plan, const Scene *scene) {
     slot_file(slots, "scene", scene->file->path);
     slot_file(slots, "spheres", spheres_slot(scene));
     slot_file(slots, "emission", emission);
+    mist_slots(slots, scene);
     hint_slot(slots, "bounds", scene, HINT_BOUND);
     hint_slot(slots, "mirror-spheres", scene, HINT_MIRROR_SPHERE);
     hint_slot(slots, "mirror-planes", scene, HINT_MIRROR_PLANE);

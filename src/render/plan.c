@@ -52,14 +52,17 @@ static long sky_iterations(const Plan *plan) {
 /* The loop iterations at one hit, including the searches of its rays, the loops over hints, and the sky where
  * the hit looks for it. */
 static long hit_iterations(const Plan *plan, const Scene *scene) {
-    long rays = 1 + (plan->sun.method->samples_disk ? 1 : 0), loops = 0;
+    /* With mist, rays to the sun are sent from two places: the surface, and one in the mist before it. */
+    int places = plan->mist ? 2 : 1;
+    long rays = 1 + (plan->sun.method->samples_disk ? places : 0), loops = 0;
     for (int i = 0; i < HINT_KINDS; i++) {
         HintKind kind = (HintKind)i;
         const HintInfo *info = hint_info(kind);
         int count = scene_hint_count(scene, kind);
         if (!count || !looks_for(plan, kind)) continue;
-        rays += info->rays;
-        loops += info->loops + (long)info->loops_each * count;
+        int times = kind == HINT_MIRROR_SPHERE || kind == HINT_MIRROR_PLANE ? places : 1;
+        rays += (long)times * info->rays;
+        loops += times * (info->loops + (long)info->loops_each * count);
     }
     /* A bounce toward an emitter loops over the bounds once more. */
     if (looks_for(plan, HINT_BOUND) && looks_for(plan, HINT_EMITTER_SPHERE) &&
@@ -115,10 +118,11 @@ static bool mirrors_alone_block(const Scene *scene) {
     return same == bounds;
 }
 
-/* Light paths know Lambert's matte surfaces alone, and the film has one sum for what is splatted. */
+/* Light paths know Lambert's matte surfaces alone and no mist, and the film has one sum for what is splatted.
+ */
 static bool check_light_paths(Plan *plan, const RenderParams *params, Error *error) {
     bool chains = plan->sequence.method->walks_chains, own_lobe = plan->light.method->own_lobe;
-    if (!plan->sun.method->traces_light || !(chains || own_lobe)) return true;
+    if (!plan->sun.method->traces_light || !(chains || own_lobe || plan->mist)) return true;
     if (method_is_auto(params->sun_disk)) return method_choose(&plan->sun, METHOD_SUN, "sampled", error);
     if (chains) {
         return error_set(
@@ -126,6 +130,12 @@ static bool check_light_paths(Plan *plan, const RenderParams *params, Error *err
             "--sun-disk %s: light paths cannot be traced beside the chains of --sequence %s; use "
             "--sun-disk sampled",
             plan->sun.text, plan->sequence.text);
+    }
+    if (plan->mist) {
+        return error_set(error, STATUS_USAGE,
+                         "--sun-disk %s: light paths are not scattered by mist, which %s has in line %d; use "
+                         "--sun-disk sampled, or --set mist=off",
+                         plan->sun.text, params->scene->file->path, params->scene->file->mist.line);
     }
     return error_set(
         error, STATUS_USAGE,
@@ -213,6 +223,7 @@ bool plan_choose(Plan *plan, const RenderParams *params, const Context *context,
     plan->has_further = further_is_there(&params->scene->values.atmosphere);
     plan->has_orders = params->scene->values.atmosphere.orders > 1;
     plan->spectrum = params->scene->values.atmosphere.spectrum;
+    plan->mist = scene_has_mist(params->scene);
     return choose_methods(plan, params, error) && choose_group(plan, params, context, error);
 }
 
@@ -225,5 +236,5 @@ bool plan_same_programs(const Plan *a, const Plan *b) {
     return strcmp(a->sky.text, b->sky.text) == 0 && strcmp(a->light.text, b->light.text) == 0 &&
            strcmp(a->sequence.text, b->sequence.text) == 0 && strcmp(a->sun.text, b->sun.text) == 0 &&
            a->ozone == b->ozone && a->spectrum == b->spectrum && a->has_further == b->has_further &&
-           a->has_orders == b->has_orders;
+           a->has_orders == b->has_orders && a->mist == b->mist;
 }

@@ -75,6 +75,8 @@ typedef struct Plan {
     /* Whether the air has ozone, and how its colours are computed. They are compiled in. */
     bool ozone;
     double spectrum;
+    /* Whether there is mist between the surfaces. */
+    bool mist;
     /* Whether the sky has light beyond the first order of the air, and whether it has further orders. */
     bool has_further, has_orders;
 } Plan;

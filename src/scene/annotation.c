@@ -3,6 +3,7 @@
 #include "base/known.h"
 #include "base/lines.h"
 #include "scene/annotation_hints.h"
+#include "scene/annotation_mist.h"
 #include "scene/annotation_parameters.h"
 #include "scene/setting.h"
 #include "source/glsl_blocks.h"
@@ -165,6 +166,7 @@ static const struct {
     {"checkbox", parameters_read_checkbox, false},
     {"color", parameters_read_color, false},
     {"spheres", hints_read_spheres, true},
+    {"mist", mist_read, false},
 };
 enum { ANNOTATIONS = sizeof annotations / sizeof *annotations };
 
@@ -217,5 +219,5 @@ bool annotation_read(SceneFile *file, Error *error) {
     }
     lines_free(&lines);
     line_seen_free(&seen);
-    return ok && hints_check(file, error) && try_presets(file, error);
+    return ok && hints_check(file, error) && mist_check(file, error) && try_presets(file, error);
 }

@@ -2,6 +2,7 @@
 
 #include "base/number.h"
 #include "base/text.h"
+#include "scene/annotation_parameters.h"
 
 #include <string.h>
 
@@ -54,14 +55,6 @@ bool hints_read_spheres(Line *line, Error *error) {
     return line_copy_word(file->spheres, sizeof file->spheres, word, error);
 }
 
-static const Parameter *find_slider(const SceneFile *file, const char *name) {
-    for (int i = 0; i < file->parameter_count; i++) {
-        const Parameter *parameter = &file->parameters[i];
-        if (parameter->type == PARAMETER_SLIDER && strcmp(parameter->name, name) == 0) return parameter;
-    }
-    return NULL;
-}
-
 /* A hint may be named by sliders declared below it too. */
 static bool check_hints(const SceneFile *file, HintKind kind, Error *error) {
     const HintInfo *info = hint_info(kind);
@@ -71,7 +64,7 @@ static bool check_hints(const SceneFile *file, HintKind kind, Error *error) {
         const char *word = hint->words[component];
         bool length = component >= info->lengths_from;
         double number;
-        if (find_slider(file, word + (*word == '-' && !length)) ||
+        if (parameters_find_slider(file, word + (*word == '-' && !length)) ||
             (number_parse(word, &number) && (!length || number > 0)))
             continue;
         return error_set(error, STATUS_SCENE, "%s:%d: %s: '%s' is neither a %s nor a slider's name",
@@ -84,7 +77,7 @@ static bool check_many_spheres(const SceneFile *file, Error *error) {
     const char *word = file->spheres;
     double number;
     if (!word[0] || number_parse(word, &number) || is_file(word)) return true;
-    const Parameter *slider = find_slider(file, word);
+    const Parameter *slider = parameters_find_slider(file, word);
     if (!slider) {
         return error_set(error, STATUS_SCENE,
                          "%s:%d: spheres: '%s' is neither a number, a slider's name nor a .csv file",

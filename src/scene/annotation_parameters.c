@@ -22,6 +22,24 @@ static bool is_free(const SceneFile *file, const char *name, Error *error) {
                      path);
 }
 
+/* A new parameter. */
+static Parameter *add(SceneFile *file, const char *name, Error *error) {
+    for (int i = 0; i < file->parameter_count; i++) {
+        if (strcmp(file->parameters[i].name, name) == 0) {
+            error_set(error, STATUS_SCENE, "uniform '%s' is declared twice", name);
+            return NULL;
+        }
+    }
+    if (file->parameter_count == (int)(sizeof file->parameters / sizeof *file->parameters)) {
+        error_set(error, STATUS_SCENE, "more than %d parameters", file->parameter_count);
+        return NULL;
+    }
+    Parameter *parameter = &file->parameters[file->parameter_count++];
+    *parameter = (Parameter){.max = 1, .unit = strdup(""), .label = strdup("")};
+    snprintf(parameter->name, sizeof parameter->name, "%s", name);
+    return parameter;
+}
+
 /* The parameter declared on the annotation's own line as `uniform TYPE NAME;`. */
 static Parameter *declared(Line *line, const char *type, Error *error) {
     SceneFile *file = line->file;
@@ -38,21 +56,7 @@ static Parameter *declared(Line *line, const char *type, Error *error) {
                   name, found);
         return NULL;
     }
-    if (!is_free(file, name, error)) return NULL;
-    for (int i = 0; i < file->parameter_count; i++) {
-        if (strcmp(file->parameters[i].name, name) == 0) {
-            error_set(error, STATUS_SCENE, "uniform '%s' is declared twice", name);
-            return NULL;
-        }
-    }
-    if (file->parameter_count == (int)(sizeof file->parameters / sizeof *file->parameters)) {
-        error_set(error, STATUS_SCENE, "more than %d parameters", file->parameter_count);
-        return NULL;
-    }
-    Parameter *parameter = &file->parameters[file->parameter_count++];
-    *parameter = (Parameter){.max = 1, .unit = strdup(""), .label = strdup("")};
-    snprintf(parameter->name, sizeof parameter->name, "%s", name);
-    return parameter;
+    return is_free(file, name, error) ? add(file, name, error) : NULL;
 }
 
 static double *value_of(const Line *line, const Parameter *parameter) {
@@ -130,4 +134,23 @@ bool parameters_read_color(Line *line, Error *error) {
     if (!parameter || !line_numbers(line, 1, 3, 0, 1, value_of(line, parameter), error)) return false;
     parameter->type = PARAMETER_COLOR;
     return read_words(line, 4, parameter, error);
+}
+
+int parameters_add_switch(SceneFile *file, const char *name, const char *label, Error *error) {
+    Parameter *parameter = add(file, name, error);
+    if (!parameter) return -1;
+    parameter->type = PARAMETER_CHECKBOX;
+    free(parameter->label);
+    parameter->label = strdup(label);
+    int number = (int)(parameter - file->parameters);
+    file->values.parameters[number][0] = 1;
+    return number;
+}
+
+const Parameter *parameters_find_slider(const SceneFile *file, const char *name) {
+    for (int i = 0; i < file->parameter_count; i++) {
+        const Parameter *parameter = &file->parameters[i];
+        if (parameter->type == PARAMETER_SLIDER && strcmp(parameter->name, name) == 0) return parameter;
+    }
+    return NULL;
 }

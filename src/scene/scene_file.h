@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "scene/hint.h"
+#include "scene/mist.h"
 #include "scene/scene_facts.h"
 #include "scene/scene_values.h"
 
@@ -50,6 +51,7 @@ typedef struct SceneFile {
     Preset presets[32];
     int preset_count;
     HintList hints[HINT_KINDS];
+    Mist mist;
     /* For hit_spheres(): how many spheres there are, as a number or a slider's name, or a CSV file that has
      * them; empty if there are none. */
     char spheres[256];

@@ -2,6 +2,7 @@
 #include "scene.glsl"
 #include "sun/off.glsl"
 #include "emission/none.glsl"
+#include "mist/none.glsl"
 
 void item(vec4 a, vec4 b, OUT(vec4) c, OUT(vec4) d) {
     vec2 u = vec2(a.x, a.y);

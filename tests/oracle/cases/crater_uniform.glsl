@@ -3,6 +3,7 @@
 #include "sequence/random.glsl"
 #include "sun/off.glsl"
 #include "emission/none.glsl"
+#include "mist/none.glsl"
 #include "light/cosine.glsl"
 #include "pass/sky_uniform.glsl"
 #include "../crater.glsl"

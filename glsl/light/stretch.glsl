@@ -1,0 +1,59 @@
+// A part of a path, from one hit to the next: the surface that the ray meets, and the mist before it.
+#include "light/surface.glsl"
+#include "light/walk.glsl"
+#include "mist/ask.glsl"
+#include "sun/ask.glsl"
+
+struct Stretch {
+    // The surface that the ray meets, whether the path comes to it or not.
+    Hit surface;
+    // Where the path goes on: on the surface, or in the mist before it.
+    Hit hit;
+    bool in_mist;
+    // The mist before the surface.
+    MistWay way;
+    // The place in it that stands for all of it.
+    MistPoint point;
+};
+
+// w draws the place of the path's next hit, and the place that stands for the mist.
+Stretch stretch_of(Ray ray, vec2 w) {
+    Hit surface = surface_hit(ray);
+    Stretch stretch = Stretch(surface, surface, false, mist_way(ray, surface.t), MistPoint(0.0, 0.0));
+    if (mist_here()) {
+        float event = mist_event(stretch.way, w.x);
+        stretch.in_mist = event < INFINITY;
+        if (stretch.in_mist) stretch.hit = mist_hit(ray, event);
+        stretch.point = mist_point(stretch.way, w.y);
+    }
+    return stretch;
+}
+
+// What is there where the path goes on.
+Material stretch_material(Stretch stretch) {
+    Material material = surface_material(stretch.surface);
+    if (stretch.in_mist) material = mist_material();
+    return material;
+}
+
+// The sunlight that the mist scatters toward the ray's origin, for light that comes by way of at most `mirrors` mirrors.
+vec3 stretch_sun(Stretch stretch, Path path, int mirrors, INOUT(Sequence) sequence) {
+    vec3 scattered = vec3(0.0);
+    if (stretch.point.weight > 0.0) {
+        Hit place = mist_hit(path.ray, stretch.point.t);
+        scattered = stretch.point.weight * sun_reflected(path.sun, place, mist_material(), path.ray.direction, mirrors, sequence);
+    }
+    return scattered;
+}
+
+// The sunlight that the surface reflects and the mist lets through. `material` is that of the path's hit.
+vec3 stretch_surface_sun(Stretch stretch, Path path, Material material, int mirrors, INOUT(Sequence) sequence) {
+    vec3 reflected = vec3(0.0);
+    if (!mist_here()) {
+        reflected = sun_reflected(path.sun, stretch.surface, material, path.ray.direction, mirrors, sequence);
+    } else if (stretch.surface.t < INFINITY) {
+        Material there = surface_material(stretch.surface);
+        reflected = mist_kept(stretch.way) * sun_reflected(path.sun, stretch.surface, there, path.ray.direction, mirrors, sequence);
+    }
+    return reflected;
+}

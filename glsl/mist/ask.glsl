@@ -1,0 +1,48 @@
+// What a path asks of the mist between the surfaces. The files of this folder answer: none, homogeneous, height.
+//
+// Mist is told by its extinction, the share of the light that a metre of it takes away. The optical depth of a way is the sum of the
+// extinction along it, and the transmittance exp(-depth) is the share of the light that comes through.
+#include "scene.glsl"
+
+// The part of a ray that is in the mist.
+struct MistWay {
+    // Where it begins, in metres along the ray, and its length.
+    float begin;
+    float length;
+    float depth;
+    // The extinction where it begins, 1/m, and the share of its extinction that the mist loses in a metre along the ray. The second is
+    // 0 in mist of one density.
+    float extinction;
+    float fall;
+};
+
+// A place in the mist that stands for all of a way.
+struct MistPoint {
+    // Metres along the ray.
+    float t;
+    // The share of the light that the way takes away, over the density of the place.
+    float weight;
+};
+
+// Whether the scene has mist. It is a constant, so that a scene without mist is compiled as if there were no such thing.
+bool mist_here();
+
+// The way of a ray's first metres.
+MistWay mist_way(Ray ray, float distance);
+
+// The share of the light that comes through the way.
+float mist_kept(MistWay way);
+
+// Draws the place where the way first scatters or absorbs light, in metres along the ray; INFINITY if it does so nowhere. u is in [0, 1).
+float mist_event(MistWay way, float u);
+
+// Draws a place of the way with a density in proportion to the light that the place takes away. u is in [0, 1).
+MistPoint mist_point(MistWay way, float u);
+
+// What a path meets there.
+Material mist_material();
+
+// A place in the mist as a hit. It has no normal, so that rays begin exactly there.
+Hit mist_hit(Ray ray, float t) {
+    return Hit(t, ray.origin + t * ray.direction, vec3(0.0), -1, 0, false);
+}

@@ -1,0 +1,26 @@
+// For a scene without mist.
+#include "mist/ask.glsl"
+
+bool mist_here() {
+    return false;
+}
+
+MistWay mist_way(Ray ray, float distance) {
+    return MistWay(0.0, 0.0, 0.0, 0.0, 0.0);
+}
+
+float mist_kept(MistWay way) {
+    return 1.0;
+}
+
+float mist_event(MistWay way, float u) {
+    return INFINITY;
+}
+
+MistPoint mist_point(MistWay way, float u) {
+    return MistPoint(0.0, 0.0);
+}
+
+Material mist_material() {
+    return material_new(-1, vec3(0.0));
+}

@@ -1,0 +1,39 @@
+#include "scene/mist.h"
+
+static void write_function(Text *text, const char *type, const char *name, const char *const *words,
+                           int count) {
+    text_print(text, "%s %s() {\n    return %s(", type, name, type);
+    for (int i = 0; i < count; i++) text_print(text, "%sfloat(%s)", i ? ", " : "", words[i]);
+    text_print(text, ");\n}\n");
+}
+
+static void write_one(Text *text, const Mist *mist, const char *name, MistWord word) {
+    const char *value = mist->words[word][0] ? mist->words[word] : "0.0";
+    write_function(text, "float", name, &value, 1);
+}
+
+static void write_three(Text *text, const Mist *mist, const char *name, const int *words) {
+    const char *values[3];
+    for (int i = 0; i < 3; i++) {
+        bool there = words[i] >= 0 && mist->words[words[i]][0];
+        values[i] = there ? mist->words[words[i]] : "0.0";
+    }
+    write_function(text, "vec3", name, values, 3);
+}
+
+void mist_write(const Mist *mist, Text *text) {
+    static const int albedo[] = {MIST_ALBEDO, MIST_ALBEDO + 1, MIST_ALBEDO + 2};
+    static const int none[] = {-1, -1, -1}, height[] = {-1, MIST_REGION, -1};
+    static const int centre[] = {MIST_REGION, MIST_REGION + 1, MIST_REGION + 2};
+    static const int radius[] = {MIST_REGION + 3, MIST_REGION + 3, MIST_REGION + 3};
+    static const int half_size[] = {MIST_REGION + 3, MIST_REGION + 4, MIST_REGION + 5};
+    static const int *const middles[] = {none, centre, centre, height};
+    static const int *const reaches[] = {none, radius, half_size, none};
+    write_one(text, mist, "mist_extinction", MIST_EXTINCTION);
+    write_three(text, mist, "mist_albedo", albedo);
+    write_one(text, mist, "mist_forward", MIST_FORWARD);
+    write_one(text, mist, "mist_falloff", MIST_FALLOFF);
+    write_one(text, mist, "mist_base", MIST_BASE);
+    write_three(text, mist, "mist_middle", middles[mist->shape]);
+    write_three(text, mist, "mist_reach", reaches[mist->shape]);
+}
