@@ -20,6 +20,7 @@ ORACLE_CASE(lobe_cosine);
 ORACLE_CASE(lobe_paper);
 ORACLE_CASE(march);
 ORACLE_CASE(material);
+ORACLE_CASE(mist);
 ORACLE_CASE(paper);
 ORACLE_CASE(phase);
 ORACLE_CASE(sequence_random);
@@ -258,6 +259,81 @@ static void test_lobes(void **state) {
     oracle_compare(&context, ORACLE(lobe_cosine), inputs, quantities, COUNT(quantities));
     oracle_compare(&context, ORACLE(lobe_paper), inputs, quantities, COUNT(quantities));
     context_close(&context);
+}
+
+/* Mist that thins with height, from so slowly that it is of one density to within a metre, along rays that
+ * rise, fall and stay level; and its turns. */
+static void test_mist(void **state) {
+    static const double forwards[] = {-0.99, -0.6, 0, 1e-4, 0.3, 0.6, 0.9, 0.99};
+    static const OracleQuantity quantities[] = {
+        {"depth", .result = 0, .rms = 1e-6, .worst = 2e-5},
+        {"event", .result = 1, .floor = 1e-3, .rms = 1e-6, .worst = 1e-5, .jump = 1e-2,
+         .most_set_aside = 1e-3},
+        {"point", .result = 2, .floor = 1e-3, .rms = 2e-6, .worst = 2e-4},
+        {"weight", .result = 3, .rms = 1e-6, .worst = 2e-5},
+        {"turn", .result = 4, .floor = 1, .rms = 1e-6, .worst = 1e-5},
+        {"density", .result = 5, .floor = 1, .rms = 1e-6, .worst = 2e-5},
+        {"Cornette and Shanks", .result = 6, .floor = 1, .rms = 1e-6, .worst = 1e-5},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *a = inputs + 8 * i, *b = a + 4;
+        b[0] = (float)pow(10, 6 * random_unit() - 1);
+        a[0] = (float)(b[0] < 100 ? 3 * (double)b[0] * (2 * random_unit() - 1) : 0);
+        a[1] = (float)((i % 2 ? 1 : -1) * pow(10, -6 * random_unit()));
+        a[2] = (float)fmin(pow(10, 4 * random_unit() - 1), 20 * (double)b[0]);
+        a[3] = (float)forwards[i % COUNT(forwards)];
+        b[1] = (float)pow(10, 4 * random_unit() - 4);
+        b[2] = (float)random_unit();
+        b[3] = (float)random_unit();
+    }
+    oracle_compare(&context, ORACLE(mist), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+/* The extinction summed along the ray of an item by Simpson's rule, up to a distance. */
+static double mist_quadrature(const float *item, double distance) {
+    enum { STEPS = 2000 };
+    double sum = 0, step = distance / STEPS;
+    for (int i = 0; i <= STEPS; i++) {
+        double y = (double)item[0] + i * step * (double)item[1];
+        sum += (i == 0 || i == STEPS ? 1 : i % 2 ? 4 : 2) * (double)item[5] * exp(-y / (double)item[4]);
+    }
+    return sum * step / 3;
+}
+
+/* In double: the depth is the sum of the extinction, the event lies where the depth is -log(1 - u), and the
+ * weight is what the way takes away. */
+static void test_mist_depth(void **state) {
+    static double results[8 * ORACLE_ITEMS];
+    int events = 0;
+    (void)state;
+    random_state = 1;
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *a = inputs + 8 * i, *b = a + 4;
+        b[0] = (float)(i % 4 ? pow(10, 2 * random_unit()) : 1e5);
+        a[0] = (float)(2 * random_unit() - 1);
+        a[1] = (float)(i % 8 ? 2 * random_unit() - 1 : 0);
+        a[2] = (float)(8 * random_unit());
+        a[3] = 0.5F;
+        b[1] = (float)(i % 16 ? random_unit() : 0);
+        b[2] = (float)random_unit();
+        b[3] = (float)random_unit();
+    }
+    oracle_mist_double(inputs, 2 * ORACLE_ITEMS / 64, 64, results);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        const float *item = inputs + 8 * i;
+        const double *got = results + 8 * i;
+        double depth = mist_quadrature(item, (double)item[2]), wanted = -log1p(-(double)item[6]);
+        assert_true(fabs(got[0] - depth) <= 2e-8 * depth);
+        assert_true((got[1] >= 0) == (wanted < depth));
+        if (got[1] >= 0) assert_true(fabs(mist_quadrature(item, got[1]) - wanted) < 1e-5 * wanted);
+        double part = -log1p(-(double)item[7] * -expm1(-depth));
+        assert_true(fabs(mist_quadrature(item, got[2]) - part) <= 1e-5 * part);
+        assert_true(fabs(got[3] + expm1(-depth)) <= 2e-8 * got[3]);
+        events += got[1] >= 0;
+    }
+    assert_true(events > ORACLE_ITEMS / 4);
 }
 
 /* Whole numbers, and floats made of them, are the same to the bit. */
@@ -595,6 +671,7 @@ int main(void) {
         cmocka_unit_test(test_paper),     cmocka_unit_test(test_gauss),
         cmocka_unit_test(test_shape),     cmocka_unit_test(test_solids),
         cmocka_unit_test(test_march),     cmocka_unit_test(test_distance),
+        cmocka_unit_test(test_mist),      cmocka_unit_test(test_mist_depth),
         cmocka_unit_test(test_lobes),     cmocka_unit_test(test_mirror_sphere),
         cmocka_unit_test(test_sequences), cmocka_unit_test(test_chain_step),
         cmocka_unit_test(test_checker),   cmocka_unit_test(test_material),

@@ -9,12 +9,17 @@ float henyey_pdf(float g, vec3 incoming, vec3 outgoing) {
     return (1.0 - g) * (1.0 + g) / (4.0 * PI * denominator * sqrt(denominator));
 }
 
-// A direction of that density, from u in [0, 1)^2. The usual form, (1 + g^2 - ((1 - g^2) / (1 + g w))^2) / (2 g), is multiplied out, so that nothing is divided by g.
+// A direction of that density, from u in [0, 1)^2. The usual form, cos = (1 + g^2 - ((1 - g^2) / (1 - g + 2 g u))^2) / (2 g), is factored into 1 + cos and
+// 1 - cos. Nothing is then divided by g, and neither peak loses digits.
 vec3 henyey_sample(float g, vec3 incoming, vec2 u) {
-    float w = 2.0 * u.x - 1.0;
-    float numerator = w + g * (0.5 * (3.0 + w * w) + g * (w + 0.5 * g * (w * w - 1.0)));
-    float cosine = clamp(numerator / ((1.0 + g * w) * (1.0 + g * w)), -1.0, 1.0);
-    float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+    float magnitude = abs(g);
+    float denominator = 1.0 - magnitude + 2.0 * magnitude * u.x;
+    float scale = 1.0 / (denominator * denominator);
+    float one_more = (1.0 + magnitude) * (1.0 + magnitude) * scale * u.x * (denominator + 1.0 - magnitude);
+    float one_less = (1.0 - magnitude) * (1.0 - magnitude) * scale * (1.0 - u.x) * (denominator + 1.0 + magnitude);
+    float cosine = one_more < one_less ? one_more - 1.0 : 1.0 - one_less;
+    float sine = sqrt(max(one_more * one_less, 0.0));
     float phi = 2.0 * PI * u.y;
-    return normalize(in_frame(incoming, sine * cos(phi), sine * sin(phi), cosine));
+    vec3 axis = g < 0.0 ? -incoming : incoming;
+    return normalize(in_frame(axis, sine * cos(phi), sine * sin(phi), cosine));
 }

@@ -85,6 +85,16 @@ static void print_kind(const Scene *scene, HintKind kind) {
     for (int i = 0; i < count; i++) print_hint(scene, kind, i);
 }
 
+/* Prints the mist's words as the file has them, with what is taken where it says nothing. */
+static void print_mist(const Scene *scene) {
+    const Mist *mist = &scene->file->mist;
+    if (!mist->line) return;
+    Text text = {0};
+    mist_describe(mist, &text);
+    printf("  %s%s\n", text_string(&text), scene_has_mist(scene) ? "" : "  (off)");
+    text_free(&text);
+}
+
 static void print_hints(const Scene *scene) {
     for (int kind = 0; kind < HINT_KINDS; kind++) print_kind(scene, (HintKind)kind);
     if (!scene->file->spheres[0]) return;
@@ -138,6 +148,7 @@ static void print_scene(const Scene *scene, bool whole) {
            scene->values.sun.radius_deg);
     print_camera(&scene->values.camera);
     print_hints(scene);
+    print_mist(scene);
     for (int i = 0; i < scene->file->parameter_count; i++) {
         const Parameter *p = &scene->file->parameters[i];
         printf("  --set %s=", p->name);

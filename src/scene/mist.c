@@ -37,3 +37,25 @@ void mist_write(const Mist *mist, Text *text) {
     write_three(text, mist, "mist_middle", middles[mist->shape]);
     write_three(text, mist, "mist_reach", reaches[mist->shape]);
 }
+
+/* A key and its words, those that are there. */
+static void describe(const Mist *mist, Text *text, const char *key, int first, int count) {
+    text_print(text, " %s", key);
+    for (int i = first; i < first + count; i++)
+        text_print(text, " %s", mist->words[i][0] ? mist->words[i] : "0");
+}
+
+void mist_describe(const Mist *mist, Text *text) {
+    static const struct {
+        const char *key;
+        int count;
+    } shapes[] = {[MIST_SPHERE] = {"sphere", 4}, [MIST_BOX] = {"box", 6}, [MIST_BELOW] = {"below", 1}};
+    text_print(text, "mist");
+    describe(mist, text, "extinction", MIST_EXTINCTION, 1);
+    describe(mist, text, "albedo", MIST_ALBEDO, 3);
+    describe(mist, text, "g", MIST_FORWARD, 1);
+    if (mist->shanks) text_print(text, " phase shanks");
+    if (mist->falls) describe(mist, text, "falloff", MIST_FALLOFF, 1);
+    if (mist->falls) describe(mist, text, "base", MIST_BASE, 1);
+    if (mist->shape) describe(mist, text, shapes[mist->shape].key, MIST_REGION, shapes[mist->shape].count);
+}

@@ -39,3 +39,6 @@ typedef struct Mist {
 
 /* Writes the functions of glsl/mist/values.glsl. */
 void mist_write(const Mist *mist, Text *text);
+
+/* Appends the annotation, with the defaults of what it does not say. */
+void mist_describe(const Mist *mist, Text *text);

@@ -107,10 +107,6 @@ bool scene_has_mist(const Scene *scene) {
     return mist->line && scene->values.parameters[mist->parameter][0] > 0;
 }
 
-double scene_mist_value(const Scene *scene, MistWord word) {
-    return number_of(scene, scene->file->mist.words[word]);
-}
-
 bool scene_is_seen_from_room(const Scene *scene) {
     int portals = scene_hint_count(scene, HINT_PORTAL);
     if (scene->file->hints[HINT_PORTAL].in_glsl) return portals > 0;

@@ -46,9 +46,6 @@ void scene_hint(const Scene *scene, HintKind kind, int index, double out[MOST_HI
 /* Whether the scene has mist that is switched on. */
 bool scene_has_mist(const Scene *scene);
 
-/* What a word of its annotation stands for, with the sliders as they are; 0 where the word is not there. */
-double scene_mist_value(const Scene *scene, MistWord word);
-
 /* Whether the camera stands where one of the scene's portals faces, so that it is in the room that light
  * enters there. Where the scene defines its portals in GLSL that is not known, and taken to be so. */
 bool scene_is_seen_from_room(const Scene *scene);

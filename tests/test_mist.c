@@ -1,0 +1,204 @@
+/* Mist: what its annotation may say, how it turns light, what it lets through, and its switch. */
+#include "support.h"
+#include "ztest.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A grey ball on grey ground; %s are annotations and the albedo. */
+static const char ball[] =
+    "//@ camera eye 0 1.5 -4 target 0 0.5 0 fov 50\n//@ sun elevation 40 azimuth 60\n%s\n"
+    "uniform float dense; //@ slider 0.2 min 0 max 1\nuniform float wide; //@ slider 3 min -1 max 8\n"
+    "#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n#include \"shape/sphere.glsl\"\n"
+    "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
+    "    hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit);\n"
+    "    hit_sphere(ray, vec3(0.0, 0.7, 0.0), 0.7, 1, hit);\n}\n"
+    "Material scene_material(Hit hit) { return matte(vec3(%s)); }\n";
+
+static const char *write_ball(const char *name, const char *annotations, const char *albedo) {
+    char text[4096];
+    snprintf(text, sizeof text, ball, annotations, albedo);
+    return support_write(name, text);
+}
+
+static Image render(const char *scene, const char *arguments) {
+    Image image;
+    Error error;
+    int status =
+        support_run("", "render '%s' --quiet %s -o '%s'", scene, arguments, support_path("picture.pfm"));
+    if (status == STATUS_NO_GL) support_no_gl(support_err);
+    if (status != 0) fail_msg("render %s: %s", arguments, support_err);
+    if (!image_read(&image, support_path("picture.pfm"), &error)) fail_msg("%s", error.text);
+    return image;
+}
+
+static double mean_of(const char *scene, const char *arguments) {
+    Image image = render(scene, arguments);
+    double mean = 0;
+    int pixels = image.width * image.height;
+    for (int i = 0; i < pixels; i++) mean += (double)image.rgba[4 * i] / pixels;
+    image_free(&image);
+    return mean;
+}
+
+/* Each fault is told with its line and with what to do. */
+static void test_errors(void **state) {
+    (void)state;
+    static const struct {
+        const char *annotation, *error;
+    } cases[] = {
+        {"//@ mist albedo 0.5 0.5 0.5 below 2", ":3: mist needs extinction"},
+        {"//@ mist extinction", ":3: mist: extinction needs the share"},
+        {"//@ mist extinction below 2", ":3: mist: extinction needs the share"},
+        {"//@ mist extinction 0.1", ":3: mist of one density that has no end would hide the sky"},
+        {"//@ mist extinction -0.1 below 2", ":3: mist: '-0.1' is neither a number from 0 to 1e+06"},
+        {"//@ mist extinction thick below 2", ":3: mist: 'thick' is neither a number from 0 to 1e+06"},
+        {"//@ mist extinction -dense below 2", ":3: mist: the slider 'dense' goes from 0 to 1, past"},
+        {"//@ mist extinction wide below 2",
+         ":3: mist: the slider 'wide' goes from -1 to 8, past 0 to 1e+06"},
+        {"//@ mist extinction 0.1 0.2 0.3 below 2", ":3: mist: extinction is one number"},
+        {"//@ mist extinction 0.1 extinction 0.2 below 2", ":3: mist: extinction is there twice"},
+        {"//@ mist extinction 0.1 albedo 0.9 below 2", ":3: mist: albedo needs red, green and blue"},
+        {"//@ mist extinction 0.1 albedo 0.9 0.9 1.1 below 2",
+         ":3: mist: '1.1' is neither a number from 0 to 1 "},
+        {"//@ mist extinction 0.1 g 1 below 2", ":3: mist: '1' is neither a number from -0.99 to 0.99"},
+        {"//@ mist extinction 0.1 sphere 0 0 0 0", ":3: mist: '0' is neither a number from 0.001"},
+        {"//@ mist extinction 0.1 sphere 0 0 0 wide",
+         ":3: mist: the slider 'wide' goes from -1 to 8, past 0.001"},
+        {"//@ mist extinction 0.1 box 0 0 0 1 1", ":3: mist: box needs x y z and the half size"},
+        {"//@ mist extinction 0.1 below 1 sphere 0 0 0 1", ":3: mist: 'sphere' is a second region"},
+        {"//@ mist extinction 0.1 base 1 below 2", ":3: mist: base is for mist that thins with height"},
+        {"//@ mist extinction 0.1 falloff 0", ":3: mist: '0' is neither a number from 0.001"},
+        {"//@ mist extinction 0.1 phase mie below 2", ":3: mist: phase needs henyey or shanks"},
+        {"//@ mist extinction 0.1 phase shanks phase shanks below 2", ":3: mist: phase is there twice"},
+        {"//@ mist extinction 0.1 fallof 2", ":3: mist: unknown key 'fallof': did you mean falloff?"},
+        {"//@ mist extinction 0.1 below 1\n//@ mist extinction 0.2 below 2",
+         ":4: there is mist in line 3 already"},
+        {"uniform float mist; //@ slider 1\n//@ mist extinction 0.1 below 1",
+         ":4: mist is switched by a parameter of its name: uniform 'mist' is declared twice"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const char *scene = write_ball("wrong.glsl", cases[i].annotation, "0.5");
+        int status = support_run("", "info '%s'", scene);
+        if (status != STATUS_SCENE || !strstr(support_err, cases[i].error))
+            fail_msg("%s: status %d, \"%s\" lacks \"%s\"", cases[i].annotation, status, support_err,
+                     cases[i].error);
+    }
+}
+
+/* Mist that is switched off is not there, to the bit, by --set and by a preset; a scene without it has no
+ * such setting. Light paths are refused while it is on. */
+static void test_switch(void **state) {
+    (void)state;
+    static const char arguments[] = "--size 24x24 --spp 16 --sun-disk";
+    const char *clear = write_ball("clear.glsl", "", "0.5");
+    const char *misty =
+        write_ball("misty.glsl", "//@ mist extinction dense falloff 2\n//@ preset clear mist off", "0.5");
+    Image wanted = render(clear, arguments);
+    static const char *const ways[] = {"--set mist=off", "--preset clear", ""};
+    for (int i = 0; i < 3; i++) {
+        char words[256];
+        snprintf(words, sizeof words, "%s %s", arguments, ways[i]);
+        Image got = render(misty, words);
+        bool same = memcmp(got.rgba, wanted.rgba, sizeof(float[4 * 24 * 24])) == 0;
+        if (same != (i < 2)) fail_msg("'%s': the picture is %s as without mist", ways[i], same ? "" : "not");
+        image_free(&got);
+    }
+    image_free(&wanted);
+    support_expect(STATUS_USAGE, "has no setting 'mist'", "render '%s' --set mist=off -o '%s'", clear,
+                   support_path("none.pfm"));
+    support_expect(STATUS_USAGE, "--sun-disk traced: light paths are not scattered by mist, which",
+                   "render '%s' --sun-disk=traced -o '%s'", misty, support_path("none.pfm"));
+    assert_int_equal(support_run("", "info '%s'", misty), 0);
+    assert_non_null(strstr(support_out, "mist extinction dense albedo 1 1 1 g 0 falloff 2 base 0"));
+    assert_non_null(strstr(support_out, "--set mist=1"));
+}
+
+/* Each phase function integrates to 1, is what its samples weigh, and has the mean cosine that is stated;
+ * Cornette and Shanks's is larger. */
+static void test_phase(void **state) {
+    (void)state;
+    enum { SIDE = 512, TEXELS = SIDE * SIDE, BINS = 64 };
+    static const double forwards[] = {0, 0.001, 0.6, -0.6, 0.95};
+    static float results[4 * TEXELS];
+    Context context;
+    support_open(&context);
+    for (int i = 0; i < 10; i++) {
+        double g = forwards[i / 2], total = 0, mean = 0, sampled[BINS] = {0}, expected[BINS] = {0}, chi2 = 0;
+        char glsl[4096];
+        snprintf(glsl, sizeof glsl,
+                 "#include \"math/hash.glsl\"\n#include \"mist/phase_%s.glsl\"\nconst float g = float(%g);\n"
+                 "vec4 evaluate(vec2 t) {\n    vec3 axis = normalize(vec3(0.3, -0.8, 0.5));\n"
+                 "    float w = (t.y * 512.0 + t.x + 0.5) / 131072.0 - 1.0;\n"
+                 "    vec3 out_ = in_frame(axis, sqrt(1.0 - w * w), 0.0, w);\n"
+                 "    float value = henyey_pdf(g, axis, out_) * mist_phase_weight(g, w);\n"
+                 "    uvec3 h = hash_3(uvec3(uvec2(t), 7u));\n"
+                 "    vec3 drawn = henyey_sample(g, axis, vec2(unit_float(h.x), unit_float(h.y)));\n"
+                 "    float c = dot(axis, drawn);\n"
+                 "    return vec4(4.0 * PI * value, w, c, mist_phase_weight(g, c));\n}",
+                 i % 2 ? "shanks" : "henyey", g);
+        support_evaluate(&context, glsl, NULL, SIDE, SIDE, results);
+        for (int k = 0; k < TEXELS; k++) {
+            const float *v = results + 4 * k;
+            total += (double)v[0] / TEXELS;
+            mean += (double)v[0] * (double)v[1] / TEXELS;
+            expected[(int)fmin(32 + 32 * (double)v[1], 63)] += (double)v[0];
+            sampled[(int)fmin(fmax(32 + 32 * (double)v[2], 0), 63)] += (double)v[3];
+        }
+        for (int k = 0; k < BINS; k++)
+            chi2 += pow(sampled[k] - expected[k], 2) / (expected[k] * (i % 2 ? 1.5 : 1));
+        double wanted = i % 2 ? 3 * g * (4 + g * g) / (5 * (2 + g * g)) : g;
+        print_message("g %g, %s: integral %.5f, mean cosine %.4f, chi-square %.0f of %d\n", g,
+                      i % 2 ? "Cornette and Shanks" : "Henyey and Greenstein", total, mean, chi2, BINS);
+        assert_true(fabs(total - 1) < 2e-3 && fabs(mean - wanted) < 2e-3);
+        assert_true(ztest_chi_square(chi2, BINS - 1) < ztest_limit(10));
+    }
+    context_close(&context);
+}
+
+/* Black mist before a sky of 1 lets through exp(-depth), whatever its shape, wherever the camera is. */
+static void test_transmittance(void **state) {
+    (void)state;
+    static const struct {
+        const char *mist, *camera;
+        double depth;
+    } cases[] = {
+        {"extinction 0.1 sphere 0 5 0 3", "0,5,-10", 0.6},
+        {"extinction 0.1 sphere 0 5 0 3", "0,5,0", 0.3},
+        {"extinction 0.1 box 0 5 0 2 1 4", "0,5,-10", 0.8},
+        {"extinction 0.1 box 0 5 0 2 1 4", "0,5,10", 0},
+        {"extinction 0.1 falloff 2 base 5 box 0 5 0 2 1 4", "0,5,-10", 0.8},
+        {"extinction 0.1 falloff 2 base 5 sphere 0 7 0 5", "0,7,0", 0.18393972},
+        {"extinction 0.1 falloff 1e5 base 5 sphere 0 5 0 3", "0,5,-10", 0.6},
+        {"extinction 0 sphere 0 5 0 3", "0,5,-10", 0},
+        {"extinction 0 falloff 2", "0,5,-10", 0},
+        {"extinction dense phase shanks g 0.5 sphere 0 5 0 3", "0,5,-10", 1.2},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char annotation[256], arguments[256];
+        snprintf(annotation, sizeof annotation, "//@ sky uniform:1\n//@ mist albedo 0 0 0 %s", cases[i].mist);
+        /* Straight on, along +z, and so little upward that no ray meets the ground. */
+        double y = 0;
+        sscanf(cases[i].camera, "0,%lf", &y);
+        snprintf(
+            arguments, sizeof arguments,
+            "--size 16x16 --spp 256 --set camera.eye=%s --set camera.target=0,%g,100 --set camera.fov=0.05",
+            cases[i].camera, y + 0.1);
+        double mean = mean_of(write_ball("black.glsl", annotation, "0"), arguments),
+               wanted = exp(-cases[i].depth);
+        print_message("%s from %s: %.4f, wanted %.4f\n", cases[i].mist, cases[i].camera, mean, wanted);
+        assert_true(fabs(mean - wanted) <= 5 * sqrt(wanted * (1 - wanted) / (256 * 256)));
+    }
+}
+
+int main(int argc, char **argv) {
+    if (argc > 1) cmocka_set_test_filter(argv[1]);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_switch),
+        cmocka_unit_test(test_phase),
+        cmocka_unit_test(test_transmittance),
+    };
+    return cmocka_run_group_tests_name("mist", tests, support_folder, support_clean);
+}

@@ -1,0 +1,288 @@
+/* Pictures with mist: another renderer's, furnaces, a second driver, and the error that is promised. */
+#include "spread.h"
+#include "support.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define CRATER(annotations, ground, ball)                                                                    \
+    "//@ camera eye 0 2 -4 target 0 0 0 fov 90\n//@ size 128 128\n" annotations                              \
+    "#include \"color/checker.glsl\"\n#include \"material/matte.glsl\"\n#include \"material/mirror.glsl\"\n" \
+    "#include \"shape/plane_minus_sphere.glsl\"\n#include \"shape/sphere.glsl\"\n"                           \
+    "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"                                                      \
+    "    hit_plane_minus_sphere(ray, vec3(0.0, 1.0, 0.0), 0.0, vec3(0.0), 2.0, 0, hit);\n"                   \
+    "    hit_sphere(ray, vec3(0.0, 0.5, 0.0), 1.0, 1, hit);\n}\n"                                            \
+    "Material scene_material(Hit hit) {\n    if (hit.object == 1) return " ball ";\n"                        \
+    "    return " ground ";\n}\n"
+#define CHECKER "matte(checker(hit.position, vec3(0.8), vec3(0.1)))"
+#define MIRROR "mirror(vec3(1.0))"
+#define MATTE "matte(vec3(0.5))"
+#define WHITE "matte(vec3(1.0))"
+
+/* A room with four slits in its back wall. */
+#define SLITS(annotations)                                                                                   \
+    "//@ camera eye 0.8 1.4 -4.5 target 0 1.5 0 fov 70\n//@ size 128 128\n"                                  \
+    "//@ sun elevation 25 azimuth 22.5\n//@ sun-disk on\n" annotations                                       \
+    "#include \"material/matte.glsl\"\n#include \"shape/box.glsl\"\n#include \"shape/plane.glsl\"\n"         \
+    "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"                                                      \
+    "    hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit);\n"                                                \
+    "    for (int i = 0; i < 5; i++)\n"                                                                      \
+    "        hit_box(ray, vec3(-2.8 + 1.4 * float(i), 2.0, 3.1), vec3(0.5, 2.0, 0.1), 1, hit);\n"            \
+    "    hit_box(ray, vec3(0.0, 3.5, 3.1), vec3(3.3, 0.5, 0.1), 1, hit);\n"                                  \
+    "    hit_box(ray, vec3(-3.1, 2.0, 0.0), vec3(0.1, 2.0, 3.2), 1, hit);\n"                                 \
+    "    hit_box(ray, vec3(3.1, 2.0, 0.0), vec3(0.1, 2.0, 3.2), 1, hit);\n"                                  \
+    "    hit_box(ray, vec3(0.0, 4.1, 0.0), vec3(3.3, 0.1, 3.3), 1, hit);\n}\n"                               \
+    "Material scene_material(Hit hit) { return matte(vec3(hit.object == 0 ? 0.4 : 0.6)); }\n"
+
+static const char crater_sky[] = CRATER("//@ sun elevation 30 azimuth 0\n"
+                                        "//@ mist extinction 0.15 albedo 0.9 0.9 0.9 g 0.6 sphere 0 0 0 8\n",
+                                        CHECKER, MIRROR);
+static const char crater_sun[] = CRATER("//@ sun elevation 15 azimuth 90\n//@ sun-disk on\n"
+                                        "//@ mist extinction 0.15 albedo 0.9 0.9 0.9 g 0.6 sphere 0 0 0 8\n",
+                                        CHECKER, MATTE);
+static const char crater_colour[] = CRATER("//@ sun elevation 30 azimuth 0\n"
+                                           "//@ mist extinction 0.3 albedo 0.95 0.7 0.4 box 0 -0.5 0 6 2 6\n",
+                                           CHECKER, MIRROR);
+static const char crater_height[] =
+    CRATER("//@ sun elevation 20 azimuth 90\n//@ sun-disk on\n"
+           "//@ mist extinction 0.6 falloff 1 base -2 albedo 0.9 0.9 0.9 g 0.5 "
+           "box 0 1.5 0 10 4 10\n",
+           CHECKER, MATTE);
+static const char slits_thin[] =
+    SLITS("//@ mist extinction 0.02 albedo 0.95 0.95 0.95 g 0.6 sphere 0 0 0 8\n");
+
+static const struct {
+    const char *name, *text, *light;
+    /* How far the mean may be from the reference's, percent, beside the noise. */
+    double mean_percent;
+} references[] = {
+    {"crater_sky", crater_sky, "cosine", 0.15},       {"crater_sky", crater_sky, "mis", 0.15},
+    {"crater_sun", crater_sun, "cosine", 0.15},       {"crater_colour", crater_colour, "cosine", 0.15},
+    {"crater_height", crater_height, "cosine", 0.15}, {"slits_thin", slits_thin, "cosine", 0.15},
+};
+
+enum { BLOCKS = 16, VALUES = 3 * BLOCKS * BLOCKS, SEEDS = 4 };
+
+static Image render(const char *environment, const char *scene, const char *arguments) {
+    Image image;
+    Error error;
+    int status = support_run(environment, "render '%s' --quiet %s -o '%s'", scene, arguments,
+                             support_path("picture.pfm"));
+    if (status == STATUS_NO_GL) support_no_gl(support_err);
+    if (status != 0) fail_msg("render %s: %s", arguments, support_err);
+    if (!image_read(&image, support_path("picture.pfm"), &error)) fail_msg("%s", error.text);
+    return image;
+}
+
+static void add_blocks(const Image *image, double *blocks) {
+    int side = image->width / BLOCKS;
+    memset(blocks, 0, sizeof(double[VALUES]));
+    for (int i = 0; i < image->width * image->height; i++) {
+        int block = i / image->width / side * BLOCKS + i % image->width / side;
+        for (int c = 0; c < 3; c++) blocks[3 * block + c] += (double)image->rgba[4 * i + c] / (side * side);
+    }
+}
+
+/* A scene's blocks: their means over the seeds, and the variance of these. */
+static void measure(const char *scene, const char *light, double *mean, double *variance) {
+    static double blocks[SEEDS][VALUES];
+    char arguments[128];
+    for (int seed = 0; seed < SEEDS; seed++) {
+        snprintf(arguments, sizeof arguments, "--light %s --seed %d --spp %d", light, seed,
+                 (int)support_samples(256));
+        Image image = render("", scene, arguments);
+        add_blocks(&image, blocks[seed]);
+        image_free(&image);
+    }
+    for (int i = 0; i < VALUES; i++) {
+        double sum = 0, squares = 0;
+        for (int seed = 0; seed < SEEDS; seed++) sum += blocks[seed][i] / SEEDS;
+        for (int seed = 0; seed < SEEDS; seed++) squares += pow(blocks[seed][i] - sum, 2);
+        mean[i] = sum;
+        variance[i] = squares / (SEEDS - 1) / SEEDS;
+    }
+}
+
+static void read_blocks(const char *name, const char *suffix, Image *image) {
+    char path[256];
+    Error error;
+    snprintf(path, sizeof path, "tests/data/mist_%s%s.exr", name, suffix);
+    if (!image_read(image, path, &error)) fail_msg("%s", error.text);
+    assert_int_equal(image->width, BLOCKS);
+}
+
+/* Another renderer's pictures as blocks of 8x8 pixels with their standard errors. The sky that it was given
+ * is good to a thousandth. */
+static void test_references(void **state) {
+    (void)state;
+    static double mean[VALUES], variance[VALUES];
+    for (size_t i = 0; i < sizeof references / sizeof *references; i++) {
+        Image wanted, error_of;
+        double got_sum = 0, wanted_sum = 0, noise = 0, z2 = 0;
+        int count = 0;
+        char file[64];
+        snprintf(file, sizeof file, "%s.glsl", references[i].name);
+        measure(support_write(file, references[i].text), references[i].light, mean, variance);
+        read_blocks(references[i].name, "", &wanted);
+        read_blocks(references[i].name, "_se", &error_of);
+        for (int k = 0; k < VALUES; k++) {
+            double value = (double)wanted.rgba[k / 3 * 4 + k % 3],
+                   own = (double)error_of.rgba[k / 3 * 4 + k % 3];
+            got_sum += mean[k];
+            wanted_sum += value;
+            noise += own * own + variance[k];
+            if (own <= 0) continue;
+            z2 += pow(mean[k] - value, 2) / (own * own + 1e-6 * value * value + variance[k]);
+            count++;
+        }
+        double off = 100 * (got_sum / wanted_sum - 1);
+        /* The three channels of a block have the same noise. */
+        double error = 100 * sqrt(3 * noise) / wanted_sum;
+        print_message("%s, %s: mean %+.3f %%, standard error %.3f %%, mean z^2 of %d blocks' values %.2f\n",
+                      references[i].name, references[i].light, off, error, count, z2 / count);
+        /* Edges have no standard error in the data, and their noise is not in `error`. */
+        assert_true(fabs(off) < references[i].mean_percent + 3 * error);
+        if (support_block() == 1) assert_true(fabs(off) < references[i].mean_percent);
+        assert_true(count > VALUES / 4);
+        assert_true(z2 / count < 2);
+        image_free(&wanted);
+        image_free(&error_of);
+    }
+}
+
+/* White mist among white surfaces under a sky of 1 cannot be seen, from without and from within. */
+static void test_furnace(void **state) {
+    (void)state;
+    static const struct {
+        const char *mist, *arguments;
+    } cases[] = {
+        {"extinction 0.15 g 0.6 sphere 0 0 0 8", "--light cosine"},
+        {"extinction 0.15 g 0.6 sphere 0 0 0 8", "--light mis"},
+        {"extinction 0.15 g 0.6 sphere 0 0 0 8", "--light control"},
+        {"extinction 0.3 g -0.3 sphere 0 0 0 3", "--light cosine"},
+        {"extinction 0.3 box 0 -0.5 0 6 2 6", "--light cosine"},
+        {"extinction 0.3 box 0 -0.5 0 6 2 6", "--light cosine --set camera.eye=0,0.5,-3"},
+        {"extinction 0.2 phase shanks g 0.7 below 1", "--light cosine"},
+        {"extinction 0.6 falloff 1 base -2 g 0.5 box 0 1.5 0 10 4 10", "--light cosine"},
+        {"extinction 0.2 falloff 3", "--light mis"},
+        {"extinction 0.2 falloff 3", "--light portal --set camera.eye=0,12,-4"},
+    };
+    enum { CASES = sizeof cases / sizeof *cases };
+    double all = 0, all_variance = 0;
+    for (int i = 0; i < CASES; i++) {
+        char text[4096], arguments[256];
+        double mean = 0, squares = 0;
+        snprintf(text, sizeof text, CRATER("//@ sky uniform:1\n//@ mist %s\n", WHITE, WHITE), cases[i].mist);
+        snprintf(arguments, sizeof arguments, "--seed %d --spp %d %s", i, (int)support_samples(256),
+                 cases[i].arguments);
+        Image image = render("", support_write("furnace.glsl", text), arguments);
+        int pixels = image.width * image.height;
+        for (int k = 0; k < pixels; k++) {
+            mean += (double)image.rgba[4 * k] / pixels;
+            squares += pow((double)image.rgba[4 * k] - 1, 2);
+        }
+        image_free(&image);
+        double variance = squares / pixels / pixels;
+        print_message("%s, %s: %.6f, standard error %.6f\n", cases[i].mist, cases[i].arguments, mean,
+                      sqrt(variance));
+        assert_true(fabs(mean - 1) <= ztest_limit(CASES) * sqrt(variance) + 1e-5);
+        all += (mean - 1) / CASES;
+        all_variance += variance / CASES / CASES;
+    }
+    print_message("all: %+.6f, standard error %.6f\n", all, sqrt(all_variance));
+    if (support_block() == 1) assert_true(fabs(all) < 1e-4);
+}
+
+/* llvmpipe is known to compile loops wrongly without a word, so that each kind of mist with each light method
+ * is compared with softpipe. A few paths may pass an edge on its other side. */
+static void test_drivers(void **state) {
+    (void)state;
+    static const char *const lights[] = {"cosine", "mis", "control", "portal"};
+    static const struct {
+        const char *name, *text;
+    } scenes[] = {
+        {"sphere", crater_sky},
+        {"box", crater_colour},
+        {"height, sun", crater_height},
+        {"sphere, sun", slits_thin},
+    };
+    double total = 0;
+    int count = 0;
+    support_run("GALLIUM_DRIVER=softpipe LIBGL_ALWAYS_SOFTWARE=1", "info");
+    if (!strstr(support_out, "softpipe")) {
+        print_message("no softpipe here\n");
+        skip();
+    }
+    for (int s = 0; s < 4; s++) {
+        for (int l = 0; l < 4; l++) {
+            char arguments[128];
+            double sums[2] = {0};
+            int differ = 0;
+            snprintf(arguments, sizeof arguments, "--size 16x16 --spp %d --seed 5 --light %s",
+                     (int)support_samples(64), lights[l]);
+            const char *scene = support_write("drivers.glsl", scenes[s].text);
+            Image a = render("GALLIUM_DRIVER=softpipe LIBGL_ALWAYS_SOFTWARE=1", scene, arguments);
+            Image b = render("", scene, arguments);
+            for (int k = 0; k < 16 * 16; k++) {
+                double x = (double)a.rgba[4 * k], y = (double)b.rgba[4 * k];
+                bool same = fabs(x - y) <= 1e-3 * x;
+                differ += !same;
+                sums[0] += same ? x : 0;
+                sums[1] += same ? y : 0;
+                total += y - x;
+            }
+            count++;
+            image_free(&a);
+            image_free(&b);
+            print_message("%s, %s: %d pixels differ, the others' bias %.1e\n", scenes[s].name, lights[l],
+                          differ, sums[1] / sums[0] - 1);
+            assert_true(differ <= 16 * 16 / 32);
+            assert_true(fabs(sums[1] / sums[0] - 1) < 1e-5);
+        }
+    }
+    print_message("bias of all pixels: %.1e\n", total / count / 256);
+    assert_true(fabs(total / count / 256) < 1e-4);
+}
+
+/* relRMSE of a picture against one of many samples, percent. */
+static double error_against(const Image *picture, const Image *truth) {
+    double squares = 0, sum = 0;
+    int values = 3 * truth->width * truth->height;
+    for (int i = 0; i < truth->width * truth->height; i++) {
+        for (int c = 0; c < 3; c++) {
+            squares += pow((double)(picture->rgba[4 * i + c] - truth->rgba[4 * i + c]), 2) / values;
+            sum += (double)truth->rgba[4 * i + c] / values;
+        }
+    }
+    return 100 * sqrt(squares) / sum;
+}
+
+/* The error that a picture with mist is stopped at is the error that it has. */
+static void test_promise(void **state) {
+    (void)state;
+    if (support_block() > 1) skip();
+    static const char *const scenes[] = {crater_sun, slits_thin};
+    for (int i = 0; i < 2; i++) {
+        const char *scene = support_write("promise.glsl", scenes[i]);
+        Image truth = render("", scene, "--size 48x48 --spp 16384 --seed 77");
+        Image picture = render("", scene, "--size 48x48 --error 5 --seed 3");
+        double error = error_against(&picture, &truth);
+        print_message("asked for 5 %%, got %.2f %%\n", error);
+        assert_true(error < 5.5 && error > 2.5);
+        image_free(&truth);
+        image_free(&picture);
+    }
+}
+
+int main(int argc, char **argv) {
+    if (argc > 1) cmocka_set_test_filter(argv[1]);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_references),
+        cmocka_unit_test(test_furnace),
+        cmocka_unit_test(test_drivers),
+        cmocka_unit_test(test_promise),
+    };
+    return cmocka_run_group_tests_name("mist_pictures", tests, support_folder, support_clean);
+}
