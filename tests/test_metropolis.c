@@ -315,6 +315,45 @@ static void test_cuts(void **state) {
     context_close(&context);
 }
 
+static Image picture_of(Renderer *renderer) {
+    Image image;
+    FilmCount count;
+    Error error;
+    while (renderer->film.samples < 32)
+        assert_true(renderer_pass(renderer, 32 - renderer->film.samples, NULL, &error));
+    assert_true(film_read(&renderer->film, &image, &count, &error));
+    return image;
+}
+
+/* A renderer that starts anew, with another size, seed and sun, makes the picture of a new one. */
+static void test_restart(void **state) {
+    (void)state;
+    Context context;
+    Renderer renderer, fresh;
+    Scene scene;
+    Error error;
+    support_open(&context);
+    assert_true(scene_read(&scene, "scenes/crater.glsl", "glsl", &error));
+    RenderParams params = {.scene = &scene, .sequence = "metropolis", .width = 64, .height = 48};
+    if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
+    Image before = picture_of(&renderer);
+    params.width = 80;
+    params.seed = 7;
+    scene_set_sun(&scene, 40, 100);
+    if (!renderer_restart(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
+    if (!renderer_create(&fresh, &context, &params, &error)) fail_msg("%s", error.text);
+    Image again = picture_of(&renderer), wanted = picture_of(&fresh);
+    assert_memory_equal(again.rgba, wanted.rgba, 4 * 80 * 48 * sizeof(float));
+    assert_memory_not_equal(again.rgba, before.rgba, 4 * 64 * 48 * sizeof(float));
+    image_free(&before);
+    image_free(&again);
+    image_free(&wanted);
+    renderer_destroy(&renderer);
+    renderer_destroy(&fresh);
+    scene_destroy(&scene);
+    context_close(&context);
+}
+
 static double mean_of(const char *path) {
     Image image;
     Error error;
@@ -387,17 +426,12 @@ static void test_refused(void **state) {
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_moves),
-        cmocka_unit_test(test_proposals),
-        cmocka_unit_test(test_law),
-        cmocka_unit_test(test_starts),
-        cmocka_unit_test(test_same_means),
-        cmocka_unit_test(test_furnace),
-        cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_cuts),
-        cmocka_unit_test(test_another_driver),
-        cmocka_unit_test(test_black),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_moves),      cmocka_unit_test(test_proposals),
+        cmocka_unit_test(test_law),        cmocka_unit_test(test_starts),
+        cmocka_unit_test(test_same_means), cmocka_unit_test(test_furnace),
+        cmocka_unit_test(test_threads),    cmocka_unit_test(test_cuts),
+        cmocka_unit_test(test_restart),    cmocka_unit_test(test_another_driver),
+        cmocka_unit_test(test_black),      cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests_name("metropolis", tests, support_folder, support_clean);
 }

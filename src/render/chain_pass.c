@@ -21,10 +21,12 @@ enum {
     STEPS_A_LIFE = CANDIDATES + 256,
     /* CHAIN_PAIRS / 2 of glsl/sequence/chain_step.glsl. */
     NUMBER_ROWS = 8,
-    /* Steps of a call, and in a second before it is measured. */
-    MOST_STEPS = 64,
+    /* Steps in a second, before it is measured. */
     FIRST_GUESS = 30
 };
+
+/* The time of a call: whoever wants to stop is asked in between. */
+static const double most_seconds = 0.1;
 
 /* What glsl/pass/metropolis.glsl writes. */
 enum { POINT_NEW, POINT_OLD, LIGHT, TAIL, OUTPUTS };
@@ -181,7 +183,7 @@ uint64_t chain_pass_due(const ChainPass *pass, const Film *film, double samples)
 uint64_t chain_pass_draw(ChainPass *pass, Film *film, uint64_t paths, double seconds) {
     double chains = (double)COLUMNS * pass->rows, begin = clock_seconds(), before = film->light_paths;
     if (before <= 0 && pass->next > CANDIDATES) restart(pass);
-    double most = fmin(fmax(floor(seconds * pass->steps_per_second), 1), MOST_STEPS);
+    double most = fmax(floor(fmin(seconds, most_seconds) * pass->steps_per_second), 1);
     int steps = 0, done = 0;
     for (; steps < most && done * chains < (double)paths; steps++) {
         bool starts = pass->next % STEPS_A_LIFE < CANDIDATES;

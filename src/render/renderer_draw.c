@@ -30,13 +30,14 @@ static uint64_t splat(Renderer *renderer, uint64_t paths, double seconds) {
 }
 
 /* Splats light for about `seconds`, until there are `paths` of its paths more or `stop` returns true. Returns
- * whether there are. */
+ * whether there are. It is not stopped before there is any light: chains have to find their start first. */
 static bool trace_light(Renderer *renderer, uint64_t paths, double seconds, bool (*stop)(void)) {
     double end = clock_seconds() + seconds;
     while (paths) {
         uint64_t done = splat(renderer, paths, end - clock_seconds());
         paths = paths > done ? paths - done : 0;
-        if (clock_seconds() > end || (stop && stop())) break;
+        bool any = renderer->film.light_paths > 0;
+        if (clock_seconds() > end || (any && stop && stop())) break;
     }
     return !paths;
 }
