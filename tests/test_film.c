@@ -2,11 +2,11 @@
 #include "support.h"
 
 #include "gl/film.h"
-#include "gl/texture.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static void create_pass(const Context *context, const char *body, Program *program) {
     char glsl[2048];
@@ -185,47 +185,29 @@ static void test_finite(void **state) {
     context_close(&context);
 }
 
-static void create_points(const Context *context, Program *program) {
-    GlslSource source;
-    Error error;
-    if (!support_flatten(&source, "glsl", "glsl/pass/splat.glsl", NULL, &error) ||
-        !program_create_points(program, &context->gl, &source, &error)) {
-        fail_msg("%s", error.text);
-    }
-    glsl_source_destroy(&source);
-}
-
-/* Splats `count` points of x, y and one number for the light, which stands for `paths` light paths. */
-static void splat(Film *film, const Program *program, const float (*points)[3], int count, double paths) {
-    const GlApi *gl = film->target.gl;
-    float places[16][4] = {{0}}, lights[16][4] = {{0}};
+/* Adds `count` points of column, row and one number for the light, which stand for `paths` light paths. */
+static void add_light(Film *film, const float (*points)[3], int count, double paths) {
+    float lights[16][4] = {{0}};
     assert_true(count <= 16);
     for (int i = 0; i < count; i++) {
-        places[i][0] = points[i][0], places[i][1] = points[i][1];
+        uint32_t bits = 0x40000000U | (uint32_t)points[i][1] << 14 | (uint32_t)points[i][0];
         lights[i][0] = points[i][2], lights[i][1] = 2 * points[i][2], lights[i][2] = -points[i][2];
+        memcpy(&lights[i][3], &bits, sizeof bits);
     }
-    program_use(program);
-    GLuint textures[2];
-    textures[0] = texture_create(gl, 4, 4, GL_NEAREST, places[0]);
-    textures[1] = texture_create(gl, 4, 4, GL_NEAREST, lights[0]);
-    program_set_texture(program, "splat_places", textures[0]);
-    program_set_texture(program, "splat_lights", textures[1]);
-    film_splat_begin(film, program);
-    program_draw_points(program, count);
-    film_splat_end(film, paths);
-    gl->DeleteTextures(2, textures);
+    film_add_light(film, lights[0], count, paths);
 }
 
-/* Points that are splatted join the mean of the samples: those of one pixel are added, those beside the
+/* Points of light join the mean of the samples: those of one pixel are added, those beside the
  * picture and those that are not finite are left out, and light paths that reached nothing count. */
-static void test_splats(void **state) {
+static void test_points(void **state) {
     (void)state;
-    static const float first[][3] = {{0, 0, 1}, {2.5f, 1.9f, 4}, {0.9f, 0.1f, 0.5f}, {-1, 0, 64}, {0, 2, 64}};
+    static const float first[][3] = {
+        {0, 0, 1}, {2.5f, 1.9f, 4}, {0.9f, 0.1f, 0.5f}, {16383, 0, 64}, {0, 2, 64}};
     static const float second[][3] = {{2, 1, 8}, {1, 0, INFINITY}, {1, 0, NAN}, {1, 1, 3}, {3, 0, 64}};
     static const double expected[6] = {1.5, 0, 0, 0, 3, 12};
     Context context;
     Film film;
-    Program pass, points;
+    Program pass;
     Image image;
     FilmCount count;
     FilmPixel pixel;
@@ -234,16 +216,13 @@ static void test_splats(void **state) {
     create_pass(&context,
                 "vec4 group = vec4(16.0, 32.0, 48.0, 16.0); film_scatter(group); film_add(group, 0.0);",
                 &pass);
-    create_points(&context, &points);
-    assert_true(film_create(&film, &context, 3, 2, FILM_SCATTER | FILM_SPLAT, &error));
+    assert_true(film_create(&film, &context, 3, 2, FILM_SCATTER | FILM_LIGHT, &error));
     for (int round = 0; round < 2; round++) {
-        splat(&film, &points, first, 5, 20);
-        program_use(&pass);
+        add_light(&film, first, 5, 20);
         run_pass(&film, &pass, 0, 16);
-        splat(&film, &points, second, 5, 44);
-        program_use(&pass);
+        add_light(&film, second, 5, 44);
         run_pass(&film, &pass, 1, 16);
-        film.splat_scale = 10;
+        film.light_scale = 10;
         assert_true(film_read(&film, &image, &count, &error));
         assert_true(count.accepted == 6 * 32 && count.rejected == 0);
         for (int i = 0; i < 6; i++) {
@@ -264,7 +243,6 @@ static void test_splats(void **state) {
         image_free(&image);
     }
     film_destroy(&film);
-    program_destroy(&points);
     program_destroy(&pass);
     context_close(&context);
 }
@@ -274,7 +252,7 @@ int main(void) {
     setenv("LP_NUM_THREADS", "0", 0);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_long_mean),   cmocka_unit_test(test_rejected), cmocka_unit_test(test_variance),
-        cmocka_unit_test(test_uncommitted), cmocka_unit_test(test_finite),   cmocka_unit_test(test_splats),
+        cmocka_unit_test(test_uncommitted), cmocka_unit_test(test_finite),   cmocka_unit_test(test_points),
     };
     return cmocka_run_group_tests_name("film", tests, support_folder, support_clean);
 }

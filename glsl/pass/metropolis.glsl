@@ -26,6 +26,7 @@ vec2 chain_kept(uint dimension) {
 #include <light>
 #include "math/finite.glsl"
 #include "pass/camera.glsl"
+#include "pass/light_point.glsl"
 #include <loops>
 
 uniform int max_hits;
@@ -41,16 +42,11 @@ vec2 chain_place(vec2 first) {
     return first * vec2(picture_size.x, picture_size.y);
 }
 
-// The bits are the column and, from bit 14 on, the row. With the bit above them they are those of a float that no processor takes for zero or for no number.
-float chain_pixel(vec2 place) {
-    return uintBitsToFloat(0x40000000u | (uint(place.y) << 14u) | uint(place.x));
-}
-
 // The point of light of a path with this radiance, for `share` of a step.
 vec4 chain_point(vec2 first, vec3 radiance, float share) {
     float brightness = chain_brightness(radiance);
     float scale = share * picture_size.x * picture_size.y;
-    return vec4(brightness > 0.0 ? radiance / brightness * scale : vec3(0.0), chain_pixel(chain_place(first)));
+    return vec4(brightness > 0.0 ? radiance / brightness * scale : vec3(0.0), light_point_pixel(chain_place(first)));
 }
 
 void main() {

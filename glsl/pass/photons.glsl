@@ -1,6 +1,6 @@
 #version 330 core
 // Traces light paths from the sun's disk, one in each texel. A path bounces among the surfaces. At each hit that scatters, except the first one that the
-// sun reaches straight, it is joined to the camera, and one of these joints is written: the pixel, and the light that all of them bring. Each counts
+// sun reaches straight, it is joined to the camera, and one of these joints is written: the light that all of them bring, and the pixel. Each counts
 // the share that paths from the camera leave to it (sun/share.glsl).
 #include "scene.glsl"
 #include <sequence>
@@ -14,6 +14,7 @@
 #include "light/through.glsl"
 #include "pass/aim.glsl"
 #include "pass/camera.glsl"
+#include "pass/light_point.glsl"
 #include "pass/sun_disk.glsl"
 #include "sun/aim.glsl"
 #include "sun/balance.glsl"
@@ -27,11 +28,10 @@ uniform uint photon_first;
 uniform uint photon_lap;
 uniform uint photon_columns;
 
-// The joint's pixel, from the picture's top left corner; its light for 1 path; and the place of the path on the plane of sun/aim.glsl, with the
-// brightness of its light in the last component.
-layout(location = 0) out vec4 photon_place;
-layout(location = 1) out vec4 photon_light;
-layout(location = 2) out vec4 photon_start;
+// The joint's light for 1 path, and its pixel; and the place of the path on the plane of sun/aim.glsl, with the brightness of its light in the last
+// component.
+layout(location = 0) out vec4 photon_point;
+layout(location = 1) out vec4 photon_start;
 
 struct Photon {
     Ray ray;
@@ -50,7 +50,7 @@ struct Photon {
 };
 
 // The joint so far, and the brightness of all joints.
-vec2 joint_pixel = vec2(-1.0);
+vec2 joint_pixel = vec2(0.0);
 vec3 joint_light = vec3(0.0);
 float joint_sum = 0.0;
 
@@ -156,7 +156,6 @@ void main() {
     if (density > 0.0) photon.power = sun_radiance(toward) * light_arriving(away) * (sun_solid_angle() / density);
     bool alive = max(photon.power.x, max(photon.power.y, photon.power.z)) > 0.0;
     while (alive) alive = photon_hit(photon, sequence);
-    photon_place = vec4(joint_pixel, 0.0, 0.0);
-    photon_light = vec4(joint_sum * joint_light, 0.0);
+    photon_point = vec4(joint_sum * joint_light, light_point_pixel(joint_pixel));
     photon_start = vec4(at, 0.0, joint_sum);
 }

@@ -183,7 +183,7 @@ static bool measure(Adaptive *adaptive, const Renderer *renderer, Error *error) 
     bool ok = chance_map_read(&map, &renderer->film, error);
     if (ok) {
         adaptive->evidence = evidence_gather(&adaptive->noise, &map, &mean);
-        ok = evidence_measure(&adaptive->noise, &renderer->film, &mean, error);
+        evidence_measure(&adaptive->noise, &renderer->film, &mean);
         chance_map_free(&map);
     }
     image_free(&mean);

@@ -22,21 +22,17 @@ Noise evidence_begin(const Renderer *renderer, const ToneTable *tone) {
     return noise;
 }
 
-bool evidence_measure(Noise *noise, const Film *film, const Image *mean, Error *error) {
+void evidence_measure(Noise *noise, const Film *film, const Image *mean) {
     NoisePicture picture = {.mean = mean};
     float *light = NULL;
     if (film->light_paths > 0) {
         light = memory_get((size_t)film->width * (size_t)film->height, 4 * sizeof *light);
-        if (!film_read_light(film, light, error)) {
-            free(light);
-            return false;
-        }
+        film_read_light(film, light);
         picture.light = light;
         picture.light_paths = film->light_paths;
     }
     noise_measure(noise, &picture);
     free(light);
-    return true;
 }
 
 static unsigned materials_near(const ChanceMap *map, size_t pixel) {

@@ -17,7 +17,7 @@
 Noise evidence_begin(const Renderer *renderer, const ToneTable *tone);
 
 /* Measures the noise of the film, whose picture is `mean`. */
-MUST_CHECK bool evidence_measure(Noise *noise, const Film *film, const Image *mean, Error *error);
+void evidence_measure(Noise *noise, const Film *film, const Image *mean);
 
 typedef struct Evidence {
     /* A bit for each material whose class is not met. */

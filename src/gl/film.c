@@ -21,12 +21,9 @@ static void create_texture(const Film *film, GLuint *texture, GLuint *framebuffe
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, *texture, 0);
 }
 
-static void clear_splat(Film *film) {
-    static const GLfloat zero[4] = {0};
+static void clear_light(Film *film) {
     film->light_paths = 0;
-    if (!film->splat) return;
-    film->target.gl->BindFramebuffer(GL_FRAMEBUFFER, film->splat_framebuffer);
-    film->target.gl->ClearBufferfv(GL_COLOR, 0, zero);
+    if (film->light) film_light_clear(film->light);
 }
 
 bool film_create(Film *film, const Context *context, int width, int height, unsigned parts, Error *error) {
@@ -34,23 +31,21 @@ bool film_create(Film *film, const Context *context, int width, int height, unsi
     if (parts & FILM_SCATTER) outputs |= 1U << SCATTER;
     if (parts & FILM_SEARCH) outputs |= 1U << SEARCH;
     if (parts & FILM_CHANCE) outputs |= 1U << CHANCE | 1U << SQUARES;
-    *film = (Film){.width = width, .height = height, .parts = parts, .splat_scale = 1};
+    *film = (Film){.width = width, .height = height, .parts = parts, .light_scale = 1};
     if (!target_create(&film->target, context, width, height, outputs, error)) return false;
-    if (parts & FILM_SPLAT) {
-        create_texture(film, &film->splat, &film->splat_framebuffer);
+    if (parts & FILM_LIGHT) {
+        film->light = film_light_create(&context->gl, width, height);
         create_texture(film, &film->joined, &film->joined_framebuffer);
     }
-    clear_splat(film);
-    if (gl_check(film->target.gl, "a film for splatted light", error)) return true;
+    if (gl_check(film->target.gl, "a film for points of light", error)) return true;
     film_destroy(film);
     return false;
 }
 
 void film_destroy(Film *film) {
-    if (film->splat) {
-        film->target.gl->DeleteFramebuffers(1, &film->splat_framebuffer);
+    if (film->light) {
+        film_light_destroy(film->light, film->target.gl);
         film->target.gl->DeleteFramebuffers(1, &film->joined_framebuffer);
-        film->target.gl->DeleteTextures(1, &film->splat);
         film->target.gl->DeleteTextures(1, &film->joined);
     }
     target_destroy(&film->target);
@@ -64,7 +59,7 @@ void film_clear_next(Film *film) {
 void film_reset(Film *film) {
     /* The next pass draws every pixel of the back, or it is copied from the front. */
     target_clear_front(&film->target);
-    clear_splat(film);
+    clear_light(film);
     film->samples = 0;
 }
 
@@ -89,57 +84,38 @@ void film_commit(Film *film, uint64_t samples) {
     film->samples += samples;
 }
 
-void film_splat_begin(const Film *film, const Program *program) {
-    const GlApi *gl = film->target.gl;
-    double size[3] = {film->width, film->height, 0};
-    gl->BindFramebuffer(GL_FRAMEBUFFER, film->splat_framebuffer);
-    gl->Viewport(0, 0, film->width, film->height);
-    gl->Enable(GL_BLEND);
-    gl->BlendFunc(GL_ONE, GL_ONE);
-    program_set_vec3(program, "splat_size", size);
-}
-
-void film_splat_end(Film *film, double paths) {
-    film->target.gl->Disable(GL_BLEND);
+void film_add_light(Film *film, const float *points, int count, double paths) {
+    film_light_add(film->light, points, count);
     film->light_paths += paths;
 }
 
-void film_put_light(Film *film, const float *rgba, double paths) {
-    texture_resize(film->target.gl, film->splat, film->width, film->height, rgba);
-    film->light_paths = paths;
-}
-
-/* Reads what the second sum adds to the means of a rectangle's pixels: 4 floats a pixel, 0 where there is no
+/* Takes what the second sum adds to the means of a rectangle's pixels: 4 floats a pixel, 0 where there is no
  * second sum. */
-static bool read_splats(const Film *film, const Rectangle *r, float *rgba, Error *error) {
-    const GlApi *gl = film->target.gl;
-    size_t count = (size_t)r->width * (size_t)r->height * 4;
-    if (!film->splat || !(film->light_paths > 0)) {
-        memset(rgba, 0, count * sizeof *rgba);
-        return true;
+static void take_light(const Film *film, const Rectangle *r, float *rgba) {
+    bool any = film->light && film->light_paths > 0;
+    size_t row = (size_t)r->width * 4;
+    for (int y = 0; y < r->height; y++) {
+        float *to = rgba + (size_t)y * row;
+        const float *from =
+            !any ? NULL : film->light->sum + 4 * ((size_t)(r->y + y) * (size_t)film->width + (size_t)r->x);
+        for (size_t i = 0; i < row; i++)
+            to[i] = any ? (float)((double)from[i] * film->light_scale / film->light_paths) : 0;
     }
-    gl->BindFramebuffer(GL_FRAMEBUFFER, film->splat_framebuffer);
-    gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
-    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl->ReadPixels(r->x, r->y, r->width, r->height, GL_RGBA, GL_FLOAT, rgba);
-    for (size_t i = 0; i < count; i++)
-        rgba[i] = (float)((double)rgba[i] * film->splat_scale / film->light_paths);
-    return gl_check(gl, "reading splatted light back", error);
 }
 
-bool film_read_light(const Film *film, float *rgba, Error *error) {
+void film_read_light(const Film *film, float *rgba) {
     Rectangle all = {0, 0, film->width, film->height};
-    return read_splats(film, &all, rgba, error);
+    take_light(film, &all, rgba);
 }
 
 GLuint film_join(const Film *film, const Program *program) {
     const GlApi *gl = film->target.gl;
     GLuint sum = film->target.textures[film->target.front][SUM];
-    if (!film->splat || !(film->light_paths > 0)) return sum;
+    if (!film->light || !(film->light_paths > 0)) return sum;
     program_use(program);
     program_set_texture(program, "join_sum", sum);
-    program_set_texture(program, "join_light", film->splat);
-    program_set_float(program, "join_scale", film->splat_scale / film->light_paths);
+    program_set_texture(program, "join_light", film_light_texture(film->light, gl));
+    program_set_float(program, "join_scale", film->light_scale / film->light_paths);
     gl->BindFramebuffer(GL_FRAMEBUFFER, film->joined_framebuffer);
     gl->Viewport(0, 0, film->width, film->height);
     program_draw(program, 0, 0, film->width, film->height);
@@ -147,16 +123,15 @@ GLuint film_join(const Film *film, const Program *program) {
 }
 
 /* Adds the second sum's light to an image of means. */
-static bool join_splats(const Film *film, Image *image, Error *error) {
-    if (!film->splat) return true;
-    size_t pixels = pixel_count(film);
-    float *splats = memory_get(pixels * 4, sizeof *splats);
-    bool ok = film_read_light(film, splats, error);
-    for (size_t i = 0; ok && i < 4 * pixels; i++) {
-        if (i % 4 != 3) image->rgba[i] += splats[i];
+static void join_light(const Film *film, Image *image) {
+    if (!film->light) return;
+    size_t values = pixel_count(film) * 4;
+    float *light = memory_get(values, sizeof *light);
+    film_read_light(film, light);
+    for (size_t i = 0; i < values; i++) {
+        if (i % 4 != 3) image->rgba[i] += light[i];
     }
-    free(splats);
-    return ok;
+    free(light);
 }
 
 bool film_read(const Film *film, Image *image, FilmCount *count, Error *error) {
@@ -178,7 +153,7 @@ bool film_read(const Film *film, Image *image, FilmCount *count, Error *error) {
         pixel[3] = weight > 0 ? 1.0f : 0.0f;
     }
     free(rest);
-    ok = ok && join_splats(film, image, error);
+    if (ok) join_light(film, image);
     if (!ok) image_free(image);
     *count = (FilmCount){.accepted = (uint64_t)llround(accepted), .rejected = (uint64_t)llround(rejected)};
     return ok;
@@ -226,19 +201,19 @@ bool film_read_chance(const Film *film, float *chance, float *squares, Error *er
 }
 
 bool film_read_pixel(const Film *film, int x, int y, FilmPixel *pixel, Error *error) {
-    float sum[4], rest[4], scatter[4], splat[4];
+    float sum[4], rest[4], scatter[4], light[4];
     Rectangle place = {x, y, 1, 1};
     if (!target_read_pixel(&film->target, SUM, x, y, sum, error) ||
         !target_read_pixel(&film->target, REST, x, y, rest, error) ||
-        !target_read_pixel(&film->target, SCATTER, x, y, scatter, error) ||
-        !read_splats(film, &place, splat, error)) {
+        !target_read_pixel(&film->target, SCATTER, x, y, scatter, error)) {
         return false;
     }
+    take_light(film, &place, light);
     double samples = (double)sum[3], groups = (double)scatter[3];
     *pixel = (FilmPixel){.samples = samples};
     for (int c = 0; c < 3; c++) {
         double mean = samples > 0 ? ((double)sum[c] + (double)rest[c]) / samples : 0;
-        pixel->radiance[c] = mean + (double)splat[c];
+        pixel->radiance[c] = mean + (double)light[c];
         pixel->variance[c] = groups >= 2 ? (double)scatter[c] / (groups - 1) / samples : NAN;
     }
     return true;

@@ -25,11 +25,10 @@
  * averaged over the channels and summed over the samples, in rgb by a material's number modulo 3; and in
  * alpha a bit for each material whose light was found (glsl/sun/count.glsl).
  *
- * With FILM_SPLAT there is a second sum, `splat`, for light that is traced from the lights to the camera, or
- * that Markov chains bring. Such light falls on any pixel and is added point by point (rgb; alpha counts the
- * points). It belongs to the picture as a whole: the mean of a pixel is sum / samples + scale * splat / light
- * paths. The second sum is a plain float sum, which loses less than 1e-4 of itself up to a million points a
- * pixel.
+ * With FILM_LIGHT there is a second sum, `light`, for light that is traced from the lights to the camera, or
+ * that Markov chains bring. Such light falls on any pixel and is added point by point. It belongs to the
+ * picture as a whole: the mean of a pixel is sum / samples + scale * light / light paths. The second sum is a
+ * plain float sum, which loses less than 1e-4 of itself up to a million points a pixel.
  *
  * The fragment shader of a pass includes pass/film.glsl and calls film_add() once a pixel. Before it, it
  * calls film_scatter() of pass/scatter.glsl, film_search() of pass/search.glsl and film_chance() of
@@ -37,12 +36,13 @@
  * top. */
 #pragma once
 
+#include "gl/film_light.h"
 #include "gl/target.h"
 #include "image/image.h"
 
 #include <stdint.h>
 
-enum { FILM_SCATTER = 1, FILM_SEARCH = 2, FILM_SPLAT = 4, FILM_CHANCE = 8 };
+enum { FILM_SCATTER = 1, FILM_SEARCH = 2, FILM_LIGHT = 4, FILM_CHANCE = 8 };
 
 typedef struct Film {
     int width, height;
@@ -52,14 +52,14 @@ typedef struct Film {
     Target target;
     /* Samples of each pixel, of the committed passes that drew all pixels. */
     uint64_t samples;
-    /* The second sum's texture and its framebuffer; 0 without FILM_SPLAT. */
-    GLuint splat, splat_framebuffer;
+    /* The second sum; NULL without FILM_LIGHT. */
+    FilmLight *light;
     /* What film_join() draws into, and its framebuffer. */
     GLuint joined, joined_framebuffer;
     /* The number of light paths in the second sum, including those that reached no pixel. */
     double light_paths;
-    /* The radiance of a pixel for splat / light_paths = 1. It is 1 unless the film's user sets another. */
-    double splat_scale;
+    /* The radiance of a pixel for light / light_paths = 1. It is 1 unless the film's user sets another. */
+    double light_scale;
 } Film;
 
 typedef struct FilmCount {
@@ -77,7 +77,7 @@ typedef struct FilmSearch {
 enum { FILM_CHANCE_MATERIALS = 20, FILM_CHANCE_IMAGE = 20 };
 
 /* Creates an empty film. `parts`: FILM_SCATTER is needed for film_read_variance(), FILM_SEARCH for
- * film_read_search(), FILM_SPLAT for film_splat_begin(), FILM_CHANCE for film_read_chance(). */
+ * film_read_search(), FILM_LIGHT for film_add_light(), FILM_CHANCE for film_read_chance(). */
 MUST_CHECK bool film_create(Film *film, const Context *context, int width, int height, unsigned parts,
                             Error *error);
 void film_destroy(Film *film);
@@ -104,15 +104,9 @@ void film_keep(Film *film, const Rectangle *regions, int count);
  * to film->samples. If a pass is begun but not committed, the film is unchanged. */
 void film_commit(Film *film, uint64_t samples);
 
-/* Between these two calls program_draw_points() adds points to the second sum. The program is one of
- * program_create_points() and in use; film_splat_begin() sets its `splat_size`. `paths` is the number of
- * light paths that the points stand for. If a draw was left out, leave its paths out too. */
-void film_splat_begin(const Film *film, const Program *program);
-void film_splat_end(Film *film, double paths);
-
-/* Puts a sum that was made elsewhere in place of the second sum: 4 floats a pixel, of which the last has no
- * meaning, and the number of paths that it stands for. */
-void film_put_light(Film *film, const float *rgba, double paths);
+/* Adds points of light to the second sum, 4 floats each, as film_light_add() does. `paths` is the number of
+ * light paths that they stand for. */
+void film_add_light(Film *film, const float *points, int count, double paths);
 
 /* Returns a texture of sums that have the second sum's part of the mean in them: radiance in rgb, samples in
  * alpha. It is the film's own sum where there is no second sum, or else drawn by `program`, which is that of
@@ -121,7 +115,7 @@ GLuint film_join(const Film *film, const Program *program);
 
 /* Reads the second sum's part of the mean: 4 floats a pixel, of which the last has no meaning. It is 0 where
  * there is no second sum. */
-MUST_CHECK bool film_read_light(const Film *film, float *rgba, Error *error);
+void film_read_light(const Film *film, float *rgba);
 
 /* Reads the mean radiance, including the second sum. Alpha is 1 where a sample was accepted and 0 elsewhere.
  * On success the caller frees the image. */

@@ -17,21 +17,6 @@ static const char vertex_source[] =
     "    gl_Position = vec4(corner, 0.0, 1.0);\n"
     "}\n";
 
-/* Draws one point for each texel of two textures: it lies in the middle of the pixel that one texture names
- * and has the light that the other holds. A point that names no pixel of the picture is clipped away. */
-static const char points_source[] = "#version 330 core\n"
-                                    "uniform sampler2D splat_places;\n"
-                                    "uniform sampler2D splat_lights;\n"
-                                    "uniform vec3 splat_size;\n"
-                                    "flat out vec4 splat_light;\n"
-                                    "void main() {\n"
-                                    "    int columns = textureSize(splat_places, 0).x;\n"
-                                    "    ivec2 texel = ivec2(gl_VertexID % columns, gl_VertexID / columns);\n"
-                                    "    vec2 pixel = floor(texelFetch(splat_places, texel, 0).xy) + 0.5;\n"
-                                    "    splat_light = texelFetch(splat_lights, texel, 0);\n"
-                                    "    gl_Position = vec4(2.0 * pixel / splat_size.xy - 1.0, 0.0, 1.0);\n"
-                                    "}\n";
-
 /* Reads the log of a shader or a program: the functions for both have the same types. */
 static void append_log(PFNGLGETSHADERIVPROC get, PFNGLGETSHADERINFOLOGPROC get_log, GLuint object,
                        Text *log) {
@@ -64,12 +49,11 @@ static bool link_program(const GlApi *gl, GLuint program, Text *log) {
     return false;
 }
 
-static bool create(Program *program, const GlApi *gl, const char *vertex, const GlslSource *fragment,
-                   Error *error) {
+bool program_create(Program *program, const GlApi *gl, const GlslSource *fragment, Error *error) {
     Text log = {0};
     bool linked = false;
     *program = (Program){.gl = gl};
-    GLuint vertex_shader = compile(gl, GL_VERTEX_SHADER, vertex, &log);
+    GLuint vertex_shader = compile(gl, GL_VERTEX_SHADER, vertex_source, &log);
     char *plain = glsl_source_plain(fragment);
     GLuint fragment_shader = compile(gl, GL_FRAGMENT_SHADER, plain, &log);
     free(plain);
@@ -91,14 +75,6 @@ static bool create(Program *program, const GlApi *gl, const char *vertex, const 
     }
     text_free(&log);
     return linked;
-}
-
-bool program_create(Program *program, const GlApi *gl, const GlslSource *fragment, Error *error) {
-    return create(program, gl, vertex_source, fragment, error);
-}
-
-bool program_create_points(Program *program, const GlApi *gl, const GlslSource *fragment, Error *error) {
-    return create(program, gl, points_source, fragment, error);
 }
 
 void program_destroy(Program *program) {
@@ -232,9 +208,4 @@ void program_draw(const Program *program, int x, int y, int width, int height) {
     program->gl->Scissor(x, y, width, height);
     program->gl->DrawArrays(GL_TRIANGLES, 0, 3);
     program->gl->Disable(GL_SCISSOR_TEST);
-}
-
-void program_draw_points(const Program *program, int count) {
-    bind_textures(program);
-    program->gl->DrawArrays(GL_POINTS, 0, count);
 }

@@ -24,13 +24,6 @@ typedef struct Program {
 MUST_CHECK bool program_create(Program *program, const GlApi *gl, const GlslSource *fragment, Error *error);
 void program_destroy(Program *program);
 
-/* Does the same for a program that draws points. There is a point for each texel of the samplers
- * `splat_places` and `splat_lights`, in a picture of `splat_size` pixels. A place is the x and y of a pixel;
- * a point outside of the picture is not drawn. The fragment shader declares these uniforms too and takes the
- * light as `flat in vec4 splat_light`: see glsl/pass/splat.glsl. */
-MUST_CHECK bool program_create_points(Program *program, const GlApi *gl, const GlslSource *fragment,
-                                      Error *error);
-
 /* Prints its warnings. */
 void program_say_warnings(const Program *program, FILE *out);
 
@@ -63,6 +56,3 @@ MUST_CHECK bool program_check(const Program *program, Error *error);
 
 /* Draws the triangle on the pixels [x, x + width) x [y, y + height) of the bound framebuffer. */
 void program_draw(const Program *program, int x, int y, int width, int height);
-
-/* Draws the first `count` points on the bound framebuffer. */
-void program_draw_points(const Program *program, int count);

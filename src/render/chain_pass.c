@@ -61,7 +61,6 @@ void chain_pass_destroy(ChainPass *pass) {
     program_destroy(&pass->keep);
     pass->gl->DeleteTextures(1, &pass->sources);
     free(pass->points);
-    free(pass->sum);
     target_destroy(&pass->chains);
     target_destroy(&pass->numbers);
     *pass = (ChainPass){0};
@@ -131,37 +130,28 @@ static void share_starts(ChainPass *pass) {
     free(weights);
 }
 
-/* Reads the points of one kind, and adds them to the sum. Those that are not finite are left out, as they are
- * by glsl/pass/splat.glsl. */
-static void add_points(ChainPass *pass, int kind) {
-    read(pass, kind, pass->points);
-    for (int i = 0; i < COLUMNS * pass->rows; i++) {
-        const float *point = pass->points + 4 * i;
-        uint32_t bits;
-        memcpy(&bits, point + 3, sizeof bits);
-        int x = (int)(bits & 0x3fff), y = (int)(bits >> 14 & 0x3fff);
-        if (x >= pass->width || y >= pass->height || !isfinite(point[0] + point[1] + point[2])) continue;
-        float *sum = pass->sum + 4 * ((size_t)y * (size_t)pass->width + (size_t)x);
-        for (int c = 0; c < 3; c++) sum[c] += point[c];
-    }
+/* Adds the points of one kind to the film. */
+static void add_points(ChainPass *pass, int kind, Film *film) {
+    const Target *chains = &pass->chains;
+    const GlApi *gl = pass->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, chains->framebuffer[chains->front]);
+    gl->ReadBuffer(GL_COLOR_ATTACHMENT0 + (GLenum)kind);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->ReadPixels(0, 0, COLUMNS, pass->rows, GL_RGBA, GL_FLOAT, pass->points);
+    film_add_light(film, pass->points, COLUMNS * pass->rows, kind == POINT_NEW ? COLUMNS * pass->rows : 0);
 }
 
 static void restart(ChainPass *pass) {
     pass->next = 0;
     target_clear(&pass->chains);
     target_clear(&pass->numbers);
-    memset(pass->sum, 0, (size_t)pass->width * (size_t)pass->height * 4 * sizeof *pass->sum);
 }
 
 bool chain_pass_begin(ChainPass *pass, int width, int height, unsigned seed, Error *error) {
     if (!pass->gl) return true;
     double rows = ceil((double)width * height / PIXELS_A_CHAIN / COLUMNS / ROWS_STEP) * ROWS_STEP;
     pass->rows = (int)fmin(rows, MOST_ROWS);
-    free(pass->sum);
-    pass->sum = memory_get((size_t)width * (size_t)height * 4, sizeof *pass->sum);
     pass->seed = seed;
-    pass->width = width;
-    pass->height = height;
     restart(pass);
     /* Drivers compile a program when it first draws. */
     propose(pass, 1, 1);
@@ -181,8 +171,8 @@ uint64_t chain_pass_due(const ChainPass *pass, const Film *film, double samples)
 }
 
 uint64_t chain_pass_draw(ChainPass *pass, Film *film, uint64_t paths, double seconds) {
-    double chains = (double)COLUMNS * pass->rows, begin = clock_seconds(), before = film->light_paths;
-    if (before <= 0 && pass->next > CANDIDATES) restart(pass);
+    double chains = (double)COLUMNS * pass->rows, begin = clock_seconds();
+    if (film->light_paths <= 0 && pass->next > CANDIDATES) restart(pass);
     double most = fmax(floor(fmin(seconds, most_seconds) * pass->steps_per_second), 1);
     int steps = 0, done = 0;
     for (; steps < most && done * chains < (double)paths; steps++) {
@@ -190,12 +180,11 @@ uint64_t chain_pass_draw(ChainPass *pass, Film *film, uint64_t paths, double sec
         if (pass->next % STEPS_A_LIFE == CANDIDATES) share_starts(pass);
         propose(pass, COLUMNS, pass->rows);
         keep(pass);
-        for (int kind = POINT_NEW; !starts && kind <= POINT_OLD; kind++) add_points(pass, kind);
+        for (int kind = POINT_NEW; !starts && kind <= POINT_OLD; kind++) add_points(pass, kind, film);
         done += !starts;
         pass->next++;
     }
     pass->gl->Finish();
     pass->steps_per_second = steps / fmax(clock_seconds() - begin, 1e-6);
-    film_put_light(film, pass->sum, before + done * chains);
     return (uint64_t)(done * chains);
 }

@@ -18,10 +18,8 @@ typedef struct ChainPass {
     Program steps, keep;
     /* The chains' points of light and their state, and the numbers that they remember. */
     Target chains, numbers;
-    /* The points of all chains in a step, as they are read back, and their sum: 4 floats a pixel. llvmpipe
-     * takes thirty times as long to draw a point as the processor takes to add it here. */
-    float *points, *sum;
-    int width, height;
+    /* The points of all chains in a step, as they are read back. */
+    float *points;
     /* The chain from which each chain takes its start, and what all chains then weigh. */
     GLuint sources;
     double mean;

@@ -22,7 +22,6 @@ const Pass sun_image_pass = {.name = "the sun's image", .entry = "pass/sun_image
 const Pass aov_pass_entry = {.name = "layers", .entry = "pass/aov.glsl"};
 const Pass throwers_pass = {.name = "throwers", .entry = "pass/throwers.glsl"};
 const Pass photons_pass = {.name = "light paths", .entry = "pass/photons.glsl"};
-const Pass points_pass = {.name = "points", .entry = "pass/splat.glsl"};
 const Pass chain_steps_pass = {.name = "chains", .entry = "pass/metropolis.glsl"};
 const Pass chain_keep_pass = {.name = "chains' numbers", .entry = "pass/metropolis_keep.glsl"};
 const Pass chain_film_pass = {.name = "film", .entry = "pass/metropolis_film.glsl"};
@@ -48,7 +47,6 @@ PassList pass_list(const Plan *plan, const RenderParams *params) {
     if (plan->sun.method->traces_light) {
         list.passes[list.count++] = throwers_pass;
         list.passes[list.count++] = photons_pass;
-        list.passes[list.count++] = points_pass;
     }
     if (plan->sequence.method->walks_chains) {
         list.passes[list.count++] = chain_steps_pass;

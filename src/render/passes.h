@@ -39,7 +39,7 @@ const Pass *paths_pass(const Plan *plan);
 extern const Pass trace_pass, sun_image_pass, aov_pass_entry, check_pass;
 
 /* The passes of light that is traced from the sun (render/photon_pass.h). */
-extern const Pass throwers_pass, photons_pass, points_pass;
+extern const Pass throwers_pass, photons_pass;
 
 /* All programs that a picture with this plan may need, in the order in which they are drawn. */
 PassList pass_list(const Plan *plan, const RenderParams *params);

@@ -21,28 +21,28 @@ enum {
     FIRST_GUESS = 300000
 };
 
+/* What glsl/pass/photons.glsl writes. */
+enum { POINT, START };
+
 /* The number of light paths for each path from the camera. */
 static const double paths_a_path = 0.4;
 
 static bool compile(Program *program, const Pass *pass, const GlApi *gl, const Plan *plan,
                     const RenderParams *params, Error *error) {
     GlslSource source = {0};
-    bool points = pass == &points_pass;
-    bool ok = pass_text(pass, plan, params, &source, error) &&
-              (points ? program_create_points(program, gl, &source, error)
-                      : pass_compile(program, gl, &source, params, error));
+    bool ok =
+        pass_text(pass, plan, params, &source, error) && pass_compile(program, gl, &source, params, error);
     glsl_source_destroy(&source);
     return ok;
 }
 
 static void attach(const PhotonPass *pass) {
-    static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT0 + 1,
-                                     GL_COLOR_ATTACHMENT0 + 2};
-    const GLuint textures[] = {pass->places, pass->lights, pass->starts};
+    static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT0 + 1};
+    const GLuint textures[] = {pass->points, pass->starts};
     pass->gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 2; i++)
         pass->gl->FramebufferTexture2D(GL_FRAMEBUFFER, buffers[i], GL_TEXTURE_2D, textures[i], 0);
-    pass->gl->DrawBuffers(3, buffers);
+    pass->gl->DrawBuffers(2, buffers);
 }
 
 bool photon_pass_create(PhotonPass *pass, const Context *context, const Plan *plan,
@@ -52,26 +52,23 @@ bool photon_pass_create(PhotonPass *pass, const Context *context, const Plan *pl
     if (!plan->sun.method->traces_light) return true;
     pass->gl = gl;
     pass->paths_per_second = FIRST_GUESS;
-    pass->places = texture_create(gl, BATCH_COLUMNS, BATCH_ROWS, GL_NEAREST, NULL);
-    pass->lights = texture_create(gl, BATCH_COLUMNS, BATCH_ROWS, GL_NEAREST, NULL);
+    pass->points = texture_create(gl, BATCH_COLUMNS, BATCH_ROWS, GL_NEAREST, NULL);
     pass->starts = texture_create(gl, BATCH_COLUMNS, BATCH_ROWS, GL_NEAREST, NULL);
     pass->tree = texture_create(gl, AIM_NODES, 1, GL_NEAREST, NULL);
     gl->GenFramebuffers(1, &pass->framebuffer);
     attach(pass);
     return gl_check(gl, "textures for light paths", error) &&
            compile(&pass->throwers, &throwers_pass, gl, plan, params, error) &&
-           compile(&pass->photons, &photons_pass, gl, plan, params, error) &&
-           compile(&pass->points, &points_pass, gl, plan, params, error);
+           compile(&pass->photons, &photons_pass, gl, plan, params, error);
 }
 
 void photon_pass_destroy(PhotonPass *pass) {
     if (!pass->gl) return;
-    const GLuint textures[] = {pass->places, pass->lights, pass->starts, pass->tree};
+    const GLuint textures[] = {pass->points, pass->starts, pass->tree};
     pass->gl->DeleteFramebuffers(1, &pass->framebuffer);
-    pass->gl->DeleteTextures(4, textures);
+    pass->gl->DeleteTextures(3, textures);
     program_destroy(&pass->throwers);
     program_destroy(&pass->photons);
-    program_destroy(&pass->points);
     *pass = (PhotonPass){0};
 }
 
@@ -126,7 +123,7 @@ static bool find_throwers(PhotonPass *pass, const Frame *frame, Error *error) {
     bool ok = program_check(&pass->throwers, error);
     if (ok) {
         draw(pass, &pass->throwers, COARSE_SIDE, COARSE_SIDE);
-        read(pass, 0, COARSE_SIDE, COARSE_SIDE, places);
+        read(pass, POINT, COARSE_SIDE, COARSE_SIDE, places);
         aim_begin(&pass->aim, places, COARSE_SIDE * COARSE_SIDE, spread);
         ok = gl_check(pass->gl, "looking for surfaces that throw light", error);
     }
@@ -142,7 +139,7 @@ static void upload(const PhotonPass *pass) {
 static void improve(PhotonPass *pass) {
     float *starts = memory_get((size_t)AIM_ROWS * BATCH_COLUMNS * 4, sizeof *starts);
     trace(pass, 0, AIM_ROWS);
-    read(pass, 2, BATCH_COLUMNS, AIM_ROWS, starts);
+    read(pass, START, BATCH_COLUMNS, AIM_ROWS, starts);
     aim_improve(&pass->aim, starts, AIM_ROWS * BATCH_COLUMNS);
     free(starts);
     upload(pass);
@@ -178,13 +175,10 @@ uint64_t photon_pass_draw(PhotonPass *pass, Film *film, uint64_t paths, double s
     uint64_t rows = rows_for(pass, paths, seconds);
     double begin = clock_seconds();
     trace(pass, (uint64_t)film->light_paths, (int)rows);
-    program_use(&pass->points);
-    program_set_texture(&pass->points, "splat_places", pass->places);
-    program_set_texture(&pass->points, "splat_lights", pass->lights);
-    film_splat_begin(film, &pass->points);
-    program_draw_points(&pass->points, (int)rows * BATCH_COLUMNS);
-    film_splat_end(film, (double)rows * BATCH_COLUMNS);
-    pass->gl->Finish();
+    float *points = memory_get((size_t)rows * BATCH_COLUMNS * 4, sizeof *points);
+    read(pass, POINT, BATCH_COLUMNS, (int)rows, points);
+    film_add_light(film, points, (int)rows * BATCH_COLUMNS, (double)rows * BATCH_COLUMNS);
+    free(points);
     pass->paths_per_second = (double)rows * BATCH_COLUMNS / fmax(clock_seconds() - begin, 1e-6);
     return rows * BATCH_COLUMNS;
 }

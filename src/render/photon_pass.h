@@ -1,6 +1,6 @@
 /* Light paths from the sun's disk (glsl/pass/photons.glsl). They are for light that glass, metal and mirrors
  * throw on other surfaces, which paths from the camera find only by luck. Each batch of them is traced into
- * textures, of which each texel is a point that is added to the film's second sum. */
+ * a texture, of which each texel is a point that is added to the film's second sum. */
 #pragma once
 
 #include "gl/film.h"
@@ -9,9 +9,9 @@
 
 typedef struct PhotonPass {
     const GlApi *gl;
-    Program throwers, photons, points;
-    /* A batch: places, lights and starts. The last one of them is read only when the paths are aimed. */
-    GLuint places, lights, starts, framebuffer;
+    Program throwers, photons;
+    /* A batch: points of light, and starts, which are read only when the paths are aimed. */
+    GLuint points, starts, framebuffer;
     /* The tree of the aim. */
     GLuint tree;
     Aim aim;

@@ -114,7 +114,7 @@ static unsigned film_parts(const Plan *plan, bool variance) {
     bool chains = plan->sequence.method->walks_chains;
     return (variance ? FILM_SCATTER : 0U) | (plan->needs.search && !chains ? FILM_SEARCH : 0U) |
            (plan_counts_chance(plan) ? FILM_CHANCE : 0U) |
-           (plan->sun.method->traces_light || chains ? FILM_SPLAT : 0U);
+           (plan->sun.method->traces_light || chains ? FILM_LIGHT : 0U);
 }
 
 /* Sets what follows from the plan and the scene's current values. */

@@ -82,7 +82,7 @@ bool estimate_step(Estimate *estimate, const Renderer *renderer, Error *error) {
         estimate->stage = ESTIMATE_NOISE;
         break;
     case ESTIMATE_NOISE:
-        if (!evidence_measure(&estimate->noise, film, &estimate->picture, error)) return false;
+        evidence_measure(&estimate->noise, film, &estimate->picture);
         estimate->mean = estimate->noise.mean;
         stop(estimate);
         conclude(estimate, renderer);

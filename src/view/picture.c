@@ -144,7 +144,7 @@ static DisplaySide display_side(const Pane *pane) {
     bool has_picture = film->samples > 0 || !pane->kept.target.gl;
     if (has_picture) return (DisplaySide){film, NULL, 0};
     /* Its rows lack the light that is traced from the sun. */
-    return (DisplaySide){&pane->kept, film, film->splat ? 0 : pane->renderer.row};
+    return (DisplaySide){&pane->kept, film, film->light ? 0 : pane->renderer.row};
 }
 
 /* The radiance at the ends of the false colours; 0 if they are not shown. */

@@ -1,0 +1,53 @@
+#include "gl/film_light.h"
+
+#include "base/memory.h"
+#include "gl/texture.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+static size_t value_count(const FilmLight *light) {
+    return (size_t)light->width * (size_t)light->height * 4;
+}
+
+FilmLight *film_light_create(const GlApi *gl, int width, int height) {
+    FilmLight *light = memory_get(1, sizeof *light);
+    *light = (FilmLight){.width = width, .height = height};
+    light->sum = memory_get(value_count(light), sizeof *light->sum);
+    light->texture = texture_create(gl, width, height, GL_NEAREST, light->sum);
+    light->current = true;
+    return light;
+}
+
+void film_light_destroy(FilmLight *light, const GlApi *gl) {
+    if (!light) return;
+    gl->DeleteTextures(1, &light->texture);
+    free(light->sum);
+    free(light);
+}
+
+void film_light_clear(FilmLight *light) {
+    memset(light->sum, 0, value_count(light) * sizeof *light->sum);
+    light->current = false;
+}
+
+void film_light_add(FilmLight *light, const float *points, int count) {
+    for (int i = 0; i < count; i++) {
+        const float *point = points + 4 * (size_t)i;
+        uint32_t bits;
+        memcpy(&bits, point + 3, sizeof bits);
+        int x = (int)(bits & 0x3fff), y = (int)(bits >> 14 & 0x3fff);
+        if (x >= light->width || y >= light->height || !isfinite(point[0] + point[1] + point[2])) continue;
+        float *sum = light->sum + 4 * ((size_t)y * (size_t)light->width + (size_t)x);
+        for (int c = 0; c < 3; c++) sum[c] += point[c];
+    }
+    light->current = false;
+}
+
+GLuint film_light_texture(FilmLight *light, const GlApi *gl) {
+    if (!light->current) texture_resize(gl, light->texture, light->width, light->height, light->sum);
+    light->current = true;
+    return light->texture;
+}

@@ -1,0 +1,29 @@
+/* The second sum of a film: light that falls on any pixel, point by point (see gl/film.h). It is summed by
+ * the host, because llvmpipe takes thirty times as long to draw a point as the processor takes to add it, and
+ * a graphics processor traces paths so fast that reading their points back costs little beside. */
+#pragma once
+
+#include "gl/gl_api.h"
+
+#include <stdbool.h>
+
+typedef struct FilmLight {
+    int width, height;
+    /* 4 floats a pixel, of which the last is 0. */
+    float *sum;
+    /* The sum as a texture, and whether it has all that was added. */
+    GLuint texture;
+    bool current;
+} FilmLight;
+
+/* An empty sum. To be destroyed. */
+FilmLight *film_light_create(const GlApi *gl, int width, int height);
+void film_light_destroy(FilmLight *light, const GlApi *gl);
+void film_light_clear(FilmLight *light);
+
+/* Adds points of 4 floats in their order: the light, and its pixel as glsl/pass/light_point.glsl writes it.
+ * Points beside the picture and those that are not finite are left out. */
+void film_light_add(FilmLight *light, const float *points, int count);
+
+/* The sum as a texture. */
+GLuint film_light_texture(FilmLight *light, const GlApi *gl);
