@@ -155,11 +155,45 @@ static void test_files(void **state) {
     image_free(&read);
 }
 
+/* The transmittance is that of the mist before the first surface, or of all of it; 1 without mist. */
+static void test_transmittance(void **state) {
+    (void)state;
+    static const struct {
+        const char *mist, *radius;
+        double wanted;
+    } cases[] = {
+        {"//@ mist extinction 0.2 sphere 0 0 0 3", "5.0", 0.54881164},
+        {"//@ mist extinction 0.2 sphere 0 0 0 3", "1.0", 0.81873075},
+        {"//@ mist extinction 0.2 falloff 1e5 sphere 0 0 0 3\nfloat scene_mist(vec3 p) { return 0.0; }",
+         "5.0", 1},
+        {"", "5.0", 1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1024], arguments[256];
+        snprintf(text, sizeof text,
+                 "//@ camera eye 0 0 0 target 0 0 1 fov 60\n//@ sky uniform:1\n%s\n#include "
+                 "\"material/matte.glsl\"\n"
+                 "#include \"shape/sphere.glsl\"\nvoid scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
+                 "    hit_sphere(ray, vec3(0.0), %s, 0, hit);\n}\n"
+                 "Material scene_material(Hit hit) { return matte(vec3(0.5)); }\n",
+                 cases[i].mist, cases[i].radius);
+        snprintf(arguments, sizeof arguments, "'%s' --size 8x8 --spp 4", support_write("mist.glsl", text));
+        Channels channels = render("transmittance,depth", arguments);
+        const float *kept = channel(&channels, "transmittance.Y");
+        for (int k = 0; k < 64; k++) {
+            if (fabs((double)kept[k] - cases[i].wanted) > 2e-6)
+                fail_msg("case %zu, pixel %d: %.7f, wanted %.7f", i, k, (double)kept[k], cases[i].wanted);
+        }
+        channels_free(&channels);
+    }
+}
+
 static void test_lists(void **state) {
     (void)state;
     const char *out = support_path("out.exr"), *png = support_path("out.png");
     static const char crater[] = "render scenes/crater.glsl --size 8x8 --spp 1 --sky uniform";
-    support_expect(2, "--aov: unknown 'alpha' (known: albedo, normal, depth, samples, variance)",
+    support_expect(2,
+                   "--aov: unknown 'alpha' (known: albedo, normal, depth, samples, variance, transmittance)",
                    "%s --aov albedo,alpha -o '%s'", crater, out);
     support_expect(2, "--aov: unknown '' (known: ", "%s --aov '' -o '%s'", crater, out);
     support_expect(2, "--aov: unknown '' (known: ", "%s --aov depth, -o '%s'", crater, out);
@@ -490,9 +524,11 @@ static void test_stopped(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_files),    cmocka_unit_test(test_lists),        cmocka_unit_test(test_plane),
-        cmocka_unit_test(test_ball),     cmocka_unit_test(test_same_picture), cmocka_unit_test(test_samples),
-        cmocka_unit_test(test_variance), cmocka_unit_test(test_stopped),
+        cmocka_unit_test(test_files),   cmocka_unit_test(test_transmittance),
+        cmocka_unit_test(test_lists),   cmocka_unit_test(test_plane),
+        cmocka_unit_test(test_ball),    cmocka_unit_test(test_same_picture),
+        cmocka_unit_test(test_samples), cmocka_unit_test(test_variance),
+        cmocka_unit_test(test_stopped),
     };
     return cmocka_run_group_tests_name("aov", tests, support_folder, support_clean);
 }

@@ -115,6 +115,35 @@ static void test_switch(void **state) {
     assert_non_null(strstr(support_out, "--set mist=1"));
 }
 
+/* The scene's own density: it needs the annotation, and values out of its range are said. */
+static void test_density(void **state) {
+    (void)state;
+    static const struct {
+        const char *annotations, *says;
+        int status;
+    } cases[] = {
+        {"float scene_mist(vec3 p) { return 0.5; }", ":1: scene_mist() needs `//@ mist extinction E`",
+         STATUS_SCENE},
+        {"//@ mist extinction 0.2 below 2\nfloat scene_mist(vec3 p) { return 0.5 + 0.5 * sin(9.0 * p.x); }",
+         NULL, 0},
+        {"//@ mist extinction 0.2 below 2\nfloat scene_mist(vec3 p) { return p.x > 0.0 ? 1.5 : 0.5; }",
+         "scene_mist() leaves the range from 0 to 1 by 0.5;", 0},
+        {"//@ mist extinction 0.2 falloff 2\nfloat scene_mist(vec3 p) { return p.x > 0.0 ? -0.25 : 0.5; }",
+         "scene_mist() leaves the range from 0 to 1 by 0.25;", 0},
+        {"//@ mist extinction 0.2 falloff 2\n//@ preset a mist off\nfloat scene_mist(vec3 p) { return 2.0; }",
+         "scene_mist() leaves the range from 0 to 1 by 1;", 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const char *scene = write_ball("density.glsl", cases[i].annotations, "0.5");
+        int status =
+            support_run("", "render '%s' --size 24x24 --spp 2 -o '%s'", scene, support_path("density.pfm"));
+        if (status == STATUS_NO_GL) support_no_gl(support_err);
+        bool said = strstr(support_err, cases[i].says ? cases[i].says : "scene_mist") != NULL;
+        if (status != cases[i].status || said != (cases[i].says != NULL))
+            fail_msg("%s: status %d, \"%s\"", cases[i].annotations, status, support_err);
+    }
+}
+
 /* Each phase function integrates to 1, is what its samples weigh, and has the mean cosine that is stated;
  * Cornette and Shanks's is larger. */
 static void test_phase(void **state) {
@@ -195,10 +224,8 @@ static void test_transmittance(void **state) {
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_switch),
-        cmocka_unit_test(test_phase),
-        cmocka_unit_test(test_transmittance),
+        cmocka_unit_test(test_errors), cmocka_unit_test(test_switch),        cmocka_unit_test(test_density),
+        cmocka_unit_test(test_phase),  cmocka_unit_test(test_transmittance),
     };
     return cmocka_run_group_tests_name("mist", tests, support_folder, support_clean);
 }

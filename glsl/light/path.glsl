@@ -17,6 +17,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     PathMemory memory = path_start();
     // Drawn while the path is alive and used in the next turn: llvmpipe may compute what stands at a loop's top once more for paths that have ended.
     vec2 w = mist_here() ? sequence_pair(sequence) : vec2(0.0);
+    mist_begin(w);
     bool alive = true;
     do {
         Stretch stretch = stretch_of(path.ray, w);
@@ -47,6 +48,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             // A path that has ended brings nothing, whatever is computed of it after this turn.
             path.throughput = alive ? path.throughput / survival : vec3(0.0);
             if (mist_here()) w = sequence_pair(sequence);
+            mist_begin(w);
             path_after(memory, path, alive);
         }
     } while (alive);

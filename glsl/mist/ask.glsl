@@ -1,4 +1,5 @@
-// What a path asks of the mist between the surfaces. The files of this folder answer: none, homogeneous, height.
+// What a path asks of the mist between the surfaces. The files of this folder answer.
+// homogeneous.glsl and height.glsl say how dense it is, and closed.glsl and function.glsl how far light comes in it; none.glsl is for scenes without mist.
 //
 // Mist is told by its extinction, the share of the light that a metre of it takes away. The optical depth of a way is the sum of the
 // extinction along it, and the transmittance exp(-depth) is the share of the light that comes through.
@@ -6,6 +7,7 @@
 
 // The part of a ray that is in the mist.
 struct MistWay {
+    Ray ray;
     // Where it begins, in metres along the ray, and its length.
     float begin;
     float length;
@@ -27,10 +29,17 @@ struct MistPoint {
 // Whether the scene has mist. It is a constant, so that a scene without mist is compiled as if there were no such thing.
 bool mist_here();
 
+// Gives the mist two new random numbers from [0, 1), of which it makes those that it needs besides. A path calls it before each of its parts, while it is
+// alive.
+void mist_begin(vec2 numbers);
+
 // The way of a ray's first metres.
 MistWay mist_way(Ray ray, float distance);
 
-// The share of the light that comes through the way.
+// The length of the way's beginning that has this depth, which is at most that of the way.
+float mist_reached(MistWay way, float depth);
+
+// The share of the light that comes through the way, or an estimate of it whose mean is right.
 float mist_kept(MistWay way);
 
 // Draws the place where the way first scatters or absorbs light, in metres along the ray; INFINITY if it does so nowhere. u is in [0, 1).
@@ -38,6 +47,9 @@ float mist_event(MistWay way, float u);
 
 // Draws a place of the way with a density in proportion to the light that the place takes away. u is in [0, 1).
 MistPoint mist_point(MistWay way, float u);
+
+// By how much the scene's own density leaves the range from 0 to 1 at a random place of a ray's first metres; 0 where it does not. u is in [0, 1).
+float mist_excess(Ray ray, float distance, float u);
 
 // What a path meets there.
 Material mist_material();

@@ -5,8 +5,11 @@ bool mist_here() {
     return false;
 }
 
+void mist_begin(vec2 numbers) {
+}
+
 MistWay mist_way(Ray ray, float distance) {
-    return MistWay(0.0, 0.0, 0.0, 0.0, 0.0);
+    return MistWay(ray, 0.0, 0.0, 0.0, 0.0, 0.0);
 }
 
 float mist_kept(MistWay way) {
@@ -19,6 +22,10 @@ float mist_event(MistWay way, float u) {
 
 MistPoint mist_point(MistWay way, float u) {
     return MistPoint(0.0, 0.0);
+}
+
+float mist_excess(Ray ray, float distance, float u) {
+    return 0.0;
 }
 
 Material mist_material() {

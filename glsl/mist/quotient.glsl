@@ -16,3 +16,13 @@ float log_quotient(float q) {
     float series = 1.0 + q * (0.5 + q * (1.0 / 3.0 + q * (0.25 + q * (0.2 + q / 6.0))));
     return abs(q) < QUOTIENT_SERIES ? series : -log(max(1.0 - q, 1.0e-30)) / q;
 }
+
+// The share of the light that a depth takes away, 1 - exp(-depth).
+float share_taken(float depth) {
+    return depth < 60.0 ? depth * exp_quotient(depth) : 1.0;
+}
+
+// The depth that takes this share away, which is below 1.
+float depth_taking(float share) {
+    return share * log_quotient(share);
+}

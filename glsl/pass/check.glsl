@@ -7,6 +7,7 @@
 #include <inputs>
 #include <scene>
 #include <spheres>
+#include <mist>
 #include <materials>
 #include "light/lambert.glsl"
 #include "light/surface.glsl"
@@ -17,8 +18,8 @@ uniform int check_hits;
 uniform uint seed;
 
 // The worst values, and the objects that have them, as src/render/check.c lists them: the normal's squared length, the least and the largest albedo,
-// and the ratio of coordinates to the distance from the camera at a camera ray's hit; the least and the largest roughness, and the least index of
-// refraction. A pixel that meets nothing reports the values of a good surface.
+// and the ratio of coordinates to the distance from the camera at a camera ray's hit; the least and the largest roughness, the least index of
+// refraction, and by how much the density of mist leaves its range. A pixel that meets nothing reports the values of a good surface.
 layout(location = 0) out vec4 check_values;
 layout(location = 1) out vec4 check_objects;
 layout(location = 2) out vec4 check_values_more;
@@ -57,6 +58,7 @@ void main() {
         do {
             Hit reported = surface_reported(ray);
             alive = reported.t < INFINITY;
+            if (mist_here()) check_values_more.w = max(check_values_more.w, mist_excess(ray, reported.t, sequence_pair(sequence).x));
             if (alive) {
                 Hit hit = surface_faced(reported, ray);
                 vec2 u = sequence_pair(sequence);

@@ -51,7 +51,9 @@ void main() {
     uint i = 0u;
     do {
         Sequence sequence = sequence_start(pixel.x, pixel.y, first_sample + i, seed ^ 0x5bd1e995u);
-        vec3 image = sun_image_direct(vec2(pixel), sequence_pair(sequence)) + mirrors_image(vec2(pixel), first_sample + i, seed);
+        vec2 u = sequence_pair(sequence);
+        mist_begin(u);
+        vec3 image = sun_image_direct(vec2(pixel), u) + mirrors_image(vec2(pixel), first_sample + i, seed);
         group += is_finite(image) ? image : vec3(0.0);
         i += 1u;
     } while (i < group_samples);

@@ -12,14 +12,13 @@
 static const struct {
     const char *name;
     unsigned kind;
-} kind_names[] = {{"albedo", AOV_ALBEDO},
-                  {"normal", AOV_NORMAL},
-                  {"depth", AOV_DEPTH},
-                  {"samples", AOV_SAMPLES},
-                  {"variance", AOV_VARIANCE}};
+} kind_names[] = {{"albedo", AOV_ALBEDO},   {"normal", AOV_NORMAL},     {"depth", AOV_DEPTH},
+                  {"samples", AOV_SAMPLES}, {"variance", AOV_VARIANCE}, {"transmittance", AOV_TRANSMITTANCE}};
 enum { KINDS = sizeof kind_names / sizeof *kind_names };
 
-static const unsigned first_hit = AOV_ALBEDO | AOV_NORMAL | AOV_DEPTH;
+static const unsigned first_hit = AOV_ALBEDO | AOV_NORMAL | AOV_DEPTH | AOV_TRANSMITTANCE;
+/* A bit for each output of aov.glsl. */
+static const unsigned outputs = 7;
 static const float no_depth = 1e10f;
 
 static unsigned find_kind(const char *name, size_t length) {
@@ -78,7 +77,7 @@ bool aov_create(Aov *aov, unsigned kinds, const Context *context, const RenderPa
     *aov = (Aov){.kinds = kinds, .pixels_per_second = renderer->pixels_per_second};
     if (!(kinds & first_hit)) return true;
     if (!create_program(&aov->program, context, params, renderer, error) ||
-        !target_create(&aov->target, context, camera->width, camera->height, 3, error)) {
+        !target_create(&aov->target, context, camera->width, camera->height, outputs, error)) {
         goto fail;
     }
     if (tell(aov, params, renderer, error)) return true;
@@ -96,7 +95,7 @@ bool aov_restart(Aov *aov, const Context *context, const RenderParams *params, c
         target_clear(target);
     } else {
         target_destroy(target);
-        if (!target_create(target, context, camera->width, camera->height, 3, error)) return false;
+        if (!target_create(target, context, camera->width, camera->height, outputs, error)) return false;
     }
     return tell(aov, params, renderer, error);
 }
@@ -108,7 +107,7 @@ void aov_destroy(Aov *aov) {
 }
 
 static void begin_group(const Aov *aov, unsigned group) {
-    static const char *const names[] = {"aov_albedo", "aov_normal"};
+    static const char *const names[] = {"aov_albedo", "aov_normal", "aov_mist"};
     program_use(&aov->program);
     program_set_uint(&aov->program, "first_sample", aov->samples);
     program_set_uint(&aov->program, "group_samples", group);
@@ -173,6 +172,16 @@ static void add_depth(const float *albedo, const float *normal, Image *image) {
     }
 }
 
+static bool add_transmittance(const Aov *aov, Image *image, Error *error) {
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    float *sums = memory_get(4 * pixels, sizeof *sums);
+    bool ok = target_read(&aov->target, 2, sums, error);
+    float *data = image_add_layer(image, "transmittance", "Y");
+    for (size_t i = 0; ok && aov->samples && i < pixels; i++) data[i] = sums[4 * i] / (float)aov->samples;
+    free(sums);
+    return ok;
+}
+
 static bool read_first_hit(const Aov *aov, Image *image, Error *error) {
     size_t values = 4 * (size_t)image->width * (size_t)image->height;
     float *albedo = memory_get(values, sizeof *albedo), *normal = memory_get(values, sizeof *normal);
@@ -180,6 +189,7 @@ static bool read_first_hit(const Aov *aov, Image *image, Error *error) {
     if (ok && aov->kinds & AOV_ALBEDO) add_mean(aov, "albedo", "RGB", albedo, image);
     if (ok && aov->kinds & AOV_NORMAL) add_mean(aov, "normal", "XYZ", normal, image);
     if (ok && aov->kinds & AOV_DEPTH) add_depth(albedo, normal, image);
+    if (ok && aov->kinds & AOV_TRANSMITTANCE) ok = add_transmittance(aov, image, error);
     free(albedo);
     free(normal);
     return ok;

@@ -1,8 +1,8 @@
 /* Arbitrary output variables (AOVs): what a picture can give beside its light, as layers of the image.
  *
- * Albedo, normal and depth are those of the first hits of the camera rays, for the first AOV_MOST_SAMPLES
- * samples of each pixel. They have a program and a target of their own, so a picture without them costs
- * nothing more. */
+ * Albedo, normal and depth are those of the first surfaces that the camera rays meet, and the transmittance
+ * is that of the mist before them, for the first AOV_MOST_SAMPLES samples of each pixel. They have a program
+ * and a target of their own, so a picture without them costs nothing more. */
 #pragma once
 
 #include "render/renderer.h"
@@ -23,12 +23,15 @@ enum {
     AOV_SAMPLES = 8,
     /* variance.R .G .B: the estimated variance of the pixel's mean (see gl/film.h); NaN where it is not
      * known. */
-    AOV_VARIANCE = 16
+    AOV_VARIANCE = 16,
+    /* transmittance.Y: the mean share of the light that the mist lets through, to the hit or, where a ray
+     * hits nothing, through all of it. 1 where there is no mist. */
+    AOV_TRANSMITTANCE = 32
 };
 
 typedef struct Aov {
     unsigned kinds;
-    /* Empty if none of albedo, normal and depth is wanted. */
+    /* Empty if none of albedo, normal, depth and transmittance is wanted. */
     Program program;
     Target target;
     /* Samples taken of each pixel. */

@@ -42,8 +42,11 @@ static const Kind kinds[CHECK_KINDS] = {
     {WORSE_LOWER, 0, unseen, "has a roughness of %.4g; what is below 0 is taken as 0"},
     {WORSE_HIGHER, 1, unseen, "has a roughness of %.4g; what is above 1 is taken as 1"},
     {WORSE_LOWER, 0.1, unseen, "has an index of refraction of %.4g; what is below 0.1 is taken as 0.1"},
+    {WORSE_HIGHER, 0, unseen,
+     "scene_mist() leaves the range from 0 to 1 by %.4g; what is below 0 is taken as 0, and what is above 1 "
+     "as 1"},
 };
-enum { FAR = 3 };
+enum { FAR = 3, MIST = 7 };
 
 /* What check.glsl writes for each pixel: values, their objects, and both for the other kinds. */
 static const unsigned outputs = 15;
@@ -156,6 +159,7 @@ void check_print(const Check *check, const char *path, Text *out) {
         if (badness(&kinds[i], worst->value) <= kinds[i].tolerance) continue;
         snprintf(words, sizeof words, kinds[i].words, worst->value);
         if (path) text_print(out, "magichour: warning: %s: ", path);
-        text_print(out, "object %d %s\n", worst->object, words);
+        if (i != MIST) text_print(out, "object %d ", worst->object);
+        text_print(out, "%s\n", words);
     }
 }

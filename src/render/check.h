@@ -1,12 +1,13 @@
 /* Values that no surface can have, looked for in what a scene itself reports: normals that are not of unit
- * length, albedos and roughnesses that are not from 0 to 1, indices of refraction that are not above 0.
+ * length, albedos and roughnesses that are not from 0 to 1, indices of refraction that are not above 0,
+ * densities of mist that are not from 0 to 1.
  * Pictures are made with values that are put right (glsl/light/surface.glsl), and whoever renders one says
  * so. Scenes that are too far from the origin are noticed as well. */
 #pragma once
 
 #include "render/aov.h"
 
-enum { CHECK_KINDS = 7 };
+enum { CHECK_KINDS = 8 };
 
 /* The worst value of a kind among the surfaces that were met, and the object that has it. */
 typedef struct CheckValue {

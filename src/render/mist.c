@@ -19,6 +19,8 @@ void mist_slots(SlotList *slots, const Scene *scene) {
     text_free(&values);
     slot_file(slots, "mist", "pass/mist.glsl");
     slot_file(slots, "mist-density", mist->falls ? "mist/height.glsl" : "mist/homogeneous.glsl");
+    slot_file(slots, "mist-tracks",
+              scene->file->facts.makes_mist ? "mist/function.glsl" : "mist/closed.glsl");
     slot_file(slots, "mist-region", regions[mist->shape]);
     slot_file(slots, "mist-phase", mist->shanks ? "mist/phase_shanks.glsl" : "mist/phase_henyey.glsl");
 }

@@ -23,7 +23,9 @@ enum {
      * MARCH_STEPS (glsl/shape/march.glsl) and SPHERES_STEPS (glsl/shape/spheres.glsl). glsl/pass/loops.glsl
      * notices and counts rays that exceed all loops together. */
     MARCH_ITERATIONS = 200,
-    SPHERES_ITERATIONS = 200
+    SPHERES_ITERATIONS = 200,
+    /* Of one track through mist whose density the scene defines: MIST_STEPS (glsl/mist/function.glsl). */
+    MIST_ITERATIONS = 64
 };
 
 /* Whether the plan's methods look for hints of that kind at each hit. */
@@ -69,7 +71,9 @@ static long hit_iterations(const Plan *plan, const Scene *scene) {
         scene_hint_count(scene, HINT_EMITTER_SPHERE))
         loops += scene_hint_count(scene, HINT_BOUND);
     if (looks_for(plan, HINT_PORTAL)) loops += sky_iterations(plan);
-    return 1 + rays * plan->needs.search_iterations + loops;
+    /* The path's own way through mist takes three tracks, and each other ray one. */
+    long tracks = plan->mist && scene->file->facts.makes_mist ? rays + 2 : 0;
+    return 1 + rays * plan->needs.search_iterations + tracks * MIST_ITERATIONS + loops;
 }
 
 /* Sets the number of samples of a draw. If the driver ends loops, "unlimited" is as many hits as its limit
@@ -193,6 +197,13 @@ static bool check_functions(const Scene *scene, Error *error) {
         return error_set(error, STATUS_SCENE,
                          "%s:1: hit_spheres() needs `//@ spheres COUNT` or `//@ spheres FILE.csv`",
                          file->path);
+    }
+    if (file->facts.makes_mist && !file->mist.line) {
+        return error_set(
+            error, STATUS_SCENE,
+            "%s:1: scene_mist() needs `//@ mist extinction E` and a region: it is a share of that "
+            "extinction",
+            file->path);
     }
     if (file->spheres[0] && scene_sphere_count(scene) >= 0 && !file->facts.makes_spheres) {
         return error_set(error, STATUS_SCENE, "%s:%d: missing function: vec4 scene_sphere(int i)", file->path,

@@ -42,6 +42,7 @@ SceneFacts scene_facts(const GlslSource *source) {
     GlslScan scan = glsl_scan(text_string(&source->text));
     SceneFacts facts = {.missing = find_missing(source, &scan),
                         .makes_spheres = glsl_scan_defines(&scan, "scene_sphere"),
+                        .makes_mist = glsl_scan_defines(&scan, "scene_mist"),
                         .is_toy =
                             (glsl_scan_defines(&scan, "mainImage") || glsl_scan_defines(&scan, "main")) &&
                             !glsl_scan_defines(&scan, "scene_intersect"),

@@ -14,6 +14,8 @@ typedef struct SceneFacts {
     const char *missing;
     /* Whether it defines scene_sphere(). */
     bool makes_spheres;
+    /* Whether it defines scene_mist(). */
+    bool makes_mist;
     /* Whether it is no scene but a program that paints a picture by itself (scene/toy_source.h). */
     bool is_toy;
     /* Whether its rays search by loops (glsl/shape/search.glsl), and how often the text calls march() and

@@ -9,6 +9,7 @@ float forward = 0.0;
 float span = 1.0;
 
 #include "mist/height.glsl"
+#include "mist/closed.glsl"
 #include "mist/phase_shanks.glsl"
 
 float mist_extinction() { return extinction; }

@@ -1,0 +1,12 @@
+// What a path meets in mist that is there.
+#include "mist/ask.glsl"
+#include "mist/material/mist.glsl"
+#include "mist/values.glsl"
+
+bool mist_here() {
+    return true;
+}
+
+Material mist_material() {
+    return material_new(MATERIAL_MIST, mist_albedo());
+}
