@@ -77,7 +77,7 @@ const OptionRow option_table[] = {
     {GROUP_OUTPUT, "--tone", "CURVE", C, WORD(tone, "author,none"),
      "for levels: author or none; author by default", NULL},
     {GROUP_OUTPUT, "--aov", "LIST", R, LIST(aov, "albedo,normal,depth,samples,variance,transmittance"),
-     "layers of .exr, some of albedo,normal,depth,samples,variance,transmittance", NULL},
+     "layers of .exr, some of albedo, normal, depth, samples, variance and transmittance, with commas", NULL},
     {GROUP_OUTPUT, "--record", "DIR", V, STRING(record),
      "write DIR/frame-00001.png ... and end: of a scene a day, 64 samples each if --spp is not given; of a "
      "file with "
