@@ -5,6 +5,8 @@
 //@ size    512 512
 //@ exposure -1
 //@ emitter-sphere  0.2 2.2 0.5  lamp
+//@ mist    off  extinction smoke  albedo 0.95 0.95 0.95  g 0.4  box 0 1.5 0  2 1.5 3
+//@ preset  smoke   mist on
 
 // A closed room of matte walls with a lamp, a mirror ball and a glass ball. tools/peer_box_room.py renders the same room with Mitsuba.
 #include "material/emitter.glsl"
@@ -15,6 +17,7 @@
 #include "shape/sphere.glsl"
 
 uniform float lamp;      //@ slider 0.4  min 0.02  max 0.7  unit m  label "radius of the lamp"
+uniform float smoke;     //@ slider 0.2  min 0  max 1  unit /m  label "extinction of the smoke"
 uniform float radiance;  //@ slider 10  max 100  label "of the lamp"
 
 const int WALLS = 0;

@@ -7,6 +7,8 @@
 //@ preset  noon      sun.elevation 60
 //@ preset  sunset    sun.elevation 5   exposure 0.5
 //@ preset  twilight  sun.elevation -2  exposure 4
+//@ mist    off  extinction fog  albedo 0.99 0.99 0.99  g 0.7  falloff deep
+//@ preset  fog       mist on  sun.elevation 4  sun.azimuth 20  exposure 0.5
 //@ preset  dry       lake 0  sun.elevation 30  sun.azimuth 110
 #include "distance/hills.glsl"
 #include "material/matte.glsl"
@@ -16,6 +18,8 @@
 
 uniform bool lake;     //@ checkbox on  label "a lake, or sand"
 uniform float wide;    //@ slider 14  min 4  max 20  unit m  label "from the valley's middle to the top of its slopes"
+uniform float fog;     //@ slider 0.25  min 0  max 1  unit /m  label "extinction of the fog on the lake"
+uniform float deep;    //@ slider 1  min 0.2  max 20  unit m  label "height in which the fog thins to 1/e"
 uniform float rough;   //@ slider 1  min 0  max 2  label "how high the smaller hills are"
 
 const int GROUND = 0;

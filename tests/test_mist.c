@@ -72,6 +72,8 @@ static void test_errors(void **state) {
         {"//@ mist extinction 0.1 falloff 0", ":3: mist: '0' is neither a number from 0.001"},
         {"//@ mist extinction 0.1 phase mie below 2", ":3: mist: phase needs henyey or shanks"},
         {"//@ mist extinction 0.1 phase shanks phase shanks below 2", ":3: mist: phase is there twice"},
+        {"//@ mist off extinction 0.1 0.2 0.3 below 2", ":3: mist: extinction is one number"},
+        {"//@ mist extinction 0.1 off below 2", ":3: mist: unknown key 'off'"},
         {"//@ mist extinction 0.1 fallof 2", ":3: mist: unknown key 'fallof': did you mean falloff?"},
         {"//@ mist extinction 0.1 below 1\n//@ mist extinction 0.2 below 2",
          ":4: there is mist in line 3 already"},
@@ -104,6 +106,21 @@ static void test_switch(void **state) {
         bool same = memcmp(got.rgba, wanted.rgba, sizeof(float[4 * 24 * 24])) == 0;
         if (same != (i < 2)) fail_msg("'%s': the picture is %s as without mist", ways[i], same ? "" : "not");
         image_free(&got);
+    }
+    const char *off =
+        write_ball("off.glsl", "//@ mist off extinction dense falloff 2\n//@ preset foggy mist on", "0.5");
+    const char *on = write_ball("on.glsl", "//@ mist extinction dense falloff 2", "0.5");
+    static const char *const switched[][2] = {
+        {"", "--set mist=off"}, {"--preset foggy", ""}, {"--set mist=on", ""}};
+    for (int i = 0; i < 3; i++) {
+        char words[256];
+        snprintf(words, sizeof words, "%s %s", arguments, switched[i][0]);
+        Image a = render(off, words);
+        snprintf(words, sizeof words, "%s %s", arguments, switched[i][1]);
+        Image b = render(on, words);
+        assert_memory_equal(a.rgba, b.rgba, sizeof(float[4 * 24 * 24]));
+        image_free(&a);
+        image_free(&b);
     }
     image_free(&wanted);
     support_expect(STATUS_USAGE, "has no setting 'mist'", "render '%s' --set mist=off -o '%s'", clear,

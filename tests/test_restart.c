@@ -22,7 +22,9 @@ static const char *const settings[][2] = {{"ball", "1"},
                                           {"ball", "0"},
                                           {"camera.fov", "40"},
                                           {"atmosphere.mie_g", "0.5"},
-                                          {"atmosphere.ozone", "1e-6"}};
+                                          {"atmosphere.ozone", "1e-6"},
+                                          {"mist", "off"},
+                                          {"density", "0.2"}};
 
 static uint64_t dice_state = 7;
 
@@ -142,6 +144,7 @@ static void test_restart(void **state) {
     support_open(&context);
     restart_often(&context, "scenes/crater.glsl", 16);
     restart_often(&context, "scenes/spheres.glsl", 6);
+    restart_often(&context, "scenes/shafts.glsl", 12);
     context_close(&context);
 }
 

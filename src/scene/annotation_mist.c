@@ -50,7 +50,7 @@ static const Key *find_key(const char *word) {
 
 static bool unknown_key(const Line *line, int at, Error *error) {
     double number;
-    if (at == 3 && strcmp(line->words[1], "extinction") == 0 && number_parse(line->words[at], &number))
+    if (at >= 3 && strcmp(line->words[at - 2], "extinction") == 0 && number_parse(line->words[at], &number))
         return error_set(
             error, STATUS_SCENE,
             "mist: extinction is one number: mist whose extinction has a colour cannot be rendered; "
@@ -85,9 +85,16 @@ static bool read_key(Mist *mist, const Line *line, int at, const Key *key, Error
     return true;
 }
 
+/* `mist off ...` is there to be switched on. */
+static int read_switch(const Line *line) {
+    bool off = line->count > 1 && strcmp(line->words[1], "off") == 0;
+    if (off) line->file->values.parameters[line->file->mist.parameter][0] = 0;
+    return off ? 2 : 1;
+}
+
 static bool read_keys(Mist *mist, const Line *line, Error *error) {
     bool phase = false;
-    for (int at = 1; at < line->count;) {
+    for (int at = read_switch(line); at < line->count;) {
         const Key *key = find_key(line->words[at]);
         if (strcmp(line->words[at], "phase") == 0) {
             if (phase) return error_set(error, STATUS_SCENE, "mist: phase is there twice");
