@@ -48,17 +48,18 @@ static const Key *find_key(const char *word) {
     return NULL;
 }
 
-static bool unknown_key(const Line *line, int at, Error *error) {
+/* `before` is the key whose words ended; NULL if none did. */
+static bool unknown_key(const char *word, const Key *before, Error *error) {
     double number;
-    if (at >= 3 && strcmp(line->words[at - 2], "extinction") == 0 && number_parse(line->words[at], &number))
+    if (before && before->first == MIST_EXTINCTION && number_parse(word, &number))
         return error_set(
             error, STATUS_SCENE,
             "mist: extinction is one number: mist whose extinction has a colour cannot be rendered; "
             "its albedo may have one");
-    Known known = known_to(line->words[at], strlen(line->words[at]));
+    Known known = known_to(word, strlen(word));
     for (int i = 0; i < KEYS; i++) known_add(&known, keys[i].name);
     known_add(&known, "phase");
-    return known_fail(&known, STATUS_SCENE, error, "mist: unknown key '%s'", line->words[at]);
+    return known_fail(&known, STATUS_SCENE, error, "mist: unknown key '%s'", word);
 }
 
 static bool read_phase(Mist *mist, const Line *line, int at, Error *error) {
@@ -93,6 +94,7 @@ static int read_switch(const Line *line) {
 }
 
 static bool read_keys(Mist *mist, const Line *line, Error *error) {
+    const Key *before = NULL;
     bool phase = false;
     for (int at = read_switch(line); at < line->count;) {
         const Key *key = find_key(line->words[at]);
@@ -102,10 +104,11 @@ static bool read_keys(Mist *mist, const Line *line, Error *error) {
             if (!read_phase(mist, line, at, error)) return false;
             at += 2;
         } else {
-            if (!key) return unknown_key(line, at, error);
+            if (!key) return unknown_key(line->words[at], before, error);
             if (!read_key(mist, line, at, key, error)) return false;
             at += 1 + key->count;
         }
+        before = key;
     }
     return true;
 }
