@@ -8,9 +8,9 @@
 // The part of a ray that is in the mist.
 struct MistWay {
     Ray ray;
-    // Where it begins, in metres along the ray, and its length.
+    // Where it begins, in metres along the ray, and how long it is in metres.
     float begin;
-    float length;
+    float metres;
     float depth;
     // The extinction where it begins, 1/m, and the share of its extinction that the mist loses in a metre along the ray. The second is
     // 0 in mist of one density.

@@ -13,14 +13,14 @@ float mist_kept(MistWay way) {
 // The depth before the event is distributed as exp(-depth).
 float mist_event(MistWay way, float u) {
     float depth = depth_taking(u);
-    return depth < way.depth ? way.begin + min(mist_reached(way, depth), way.length) : INFINITY;
+    return depth < way.depth ? way.begin + min(mist_reached(way, depth), way.metres) : INFINITY;
 }
 
 // The depth is distributed as exp(-depth) within the way. The weight is then the same everywhere.
 MistPoint mist_point(MistWay way, float u) {
     float taken = share_taken(way.depth);
     float depth = min(depth_taking(u * taken), way.depth);
-    return MistPoint(way.begin + min(mist_reached(way, depth), way.length), taken);
+    return MistPoint(way.begin + min(mist_reached(way, depth), way.metres), taken);
 }
 
 float mist_excess(Ray ray, float distance, float u) {

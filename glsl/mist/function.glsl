@@ -41,7 +41,7 @@ MistTrack mist_walk(MistWay way, float depth, uint number) {
         passed += depth_taking(unit_float(bits.x));
         inside = passed < depth;
         if (inside) {
-            float t = way.begin + min(mist_reached(way, passed), way.length);
+            float t = way.begin + min(mist_reached(way, passed), way.metres);
             float share = clamp(mist_density(way.ray, t), 0.0, 1.0);
             bool first = track.event >= INFINITY && unit_float(bits.y) < share;
             track.event = first ? t : track.event;
@@ -66,13 +66,13 @@ float mist_event(MistWay way, float u) {
 MistPoint mist_point(MistWay way, float u) {
     float taken = share_taken(way.depth);
     float depth = min(depth_taking(u * taken), way.depth);
-    float t = way.begin + min(mist_reached(way, depth), way.length);
+    float t = way.begin + min(mist_reached(way, depth), way.metres);
     float share = clamp(mist_density(way.ray, t), 0.0, 1.0);
     return MistPoint(t, taken * share * exp(depth) * mist_walk(way, depth, 1u).kept);
 }
 
 float mist_excess(Ray ray, float distance, float u) {
     MistWay way = mist_way(ray, distance);
-    float density = mist_density(ray, way.begin + min(mist_reached(way, u * way.depth), way.length));
+    float density = mist_density(ray, way.begin + min(mist_reached(way, u * way.depth), way.metres));
     return way.depth > 0.0 ? max(density - 1.0, -density) : 0.0;
 }

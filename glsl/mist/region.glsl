@@ -8,10 +8,10 @@ const float MIST_FARTHEST = 1.0e9;
 // the ray's origin.
 vec2 mist_span(Ray ray);
 
-// The part of the span within the ray's first metres: where it begins, and its length.
+// The part of the span within the ray's first metres: where it begins, and how long it is in metres.
 vec2 mist_part(Ray ray, float distance) {
     vec2 span = mist_span(ray);
     float begin = max(span.x, 0.0);
-    float length = clamp(min(span.y, distance) - begin, 0.0, MIST_FARTHEST);
-    return vec2(length > 0.0 ? begin : 0.0, length);
+    float metres = clamp(min(span.y, distance) - begin, 0.0, MIST_FARTHEST);
+    return vec2(metres > 0.0 ? begin : 0.0, metres);
 }
