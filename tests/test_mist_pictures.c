@@ -68,7 +68,7 @@ static const struct {
     {"slits_waves", slits_waves, "cosine", 0.3},
 };
 
-enum { BLOCKS = 16, VALUES = 3 * BLOCKS * BLOCKS, SEEDS = 4 };
+enum { BLOCKS = 16, VALUES = 3 * BLOCKS * BLOCKS, SEEDS = 8 };
 
 static Image render(const char *environment, const char *scene, const char *arguments) {
     Image image;
@@ -96,7 +96,7 @@ static void measure(const char *scene, const char *light, double *mean, double *
     char arguments[128];
     for (int seed = 0; seed < SEEDS; seed++) {
         snprintf(arguments, sizeof arguments, "--light %s --seed %d --spp %d", light, seed,
-                 (int)support_samples(256));
+                 (int)support_samples(128));
         Image image = render("", scene, arguments);
         add_blocks(&image, blocks[seed]);
         image_free(&image);
@@ -139,7 +139,10 @@ static void test_references(void **state) {
             wanted_sum += value;
             noise += own * own + variance[k];
             if (own <= 0) continue;
-            z2 += pow(mean[k] - value, 2) / (own * own + 1e-6 * value * value + variance[k]);
+            /* The square of a difference over its variance from n pictures is (n - 1) / (n - 3) on average.
+             */
+            double mine = variance[k] * (SEEDS - 1) / (SEEDS - 3);
+            z2 += pow(mean[k] - value, 2) / (own * own + 1e-6 * value * value + mine);
             count++;
         }
         double off = 100 * (got_sum / wanted_sum - 1);
@@ -226,16 +229,18 @@ static void test_drivers(void **state) {
     for (int s = 0; s < 5; s++) {
         for (int l = 0; l < 4; l++) {
             char arguments[128];
-            double sums[2] = {0};
+            double sums[2] = {0}, level = 0;
             int differ = 0;
             snprintf(arguments, sizeof arguments, "--size 16x16 --spp %d --seed 5 --light %s",
                      (int)support_samples(64), lights[l]);
             const char *scene = support_write("drivers.glsl", scenes[s].text);
             Image a = render("GALLIUM_DRIVER=softpipe LIBGL_ALWAYS_SOFTWARE=1", scene, arguments);
             Image b = render("", scene, arguments);
+            for (int k = 0; k < 16 * 16; k++) level += fabs((double)a.rgba[4 * k]) / 256;
             for (int k = 0; k < 16 * 16; k++) {
                 double x = (double)a.rgba[4 * k], y = (double)b.rgba[4 * k];
-                bool same = fabs(x - y) <= 1e-3 * x;
+                /* The differences that `control` adds up may cancel each other. */
+                bool same = fabs(x - y) <= 1e-3 * fabs(x) + 1e-5 * level;
                 differ += !same;
                 sums[0] += same ? x : 0;
                 sums[1] += same ? y : 0;
