@@ -137,7 +137,7 @@ static void draw_lobe(const Context *context, const char *method) {
     snprintf(
         glsl, sizeof glsl,
         "#include \"scene.glsl\"\n#include \"sequence/random.glsl\"\n#include \"sun/off.glsl\"\n#include "
-        "\"emission/none.glsl\"\n#include "
+        "\"emission/none.glsl\"\n#include \"mist/none.glsl\"\n#include "
         "\"light/%s.glsl\"\n"
         "void scene_intersect(Ray r, inout Hit h) {}\n"
         "Material scene_material(Hit h) { return material_new(0, vec3(1)); }\n"
