@@ -31,15 +31,6 @@ static const double most_seconds = 0.1;
 /* What glsl/pass/metropolis.glsl writes. */
 enum { POINT_NEW, POINT_OLD, LIGHT, TAIL, OUTPUTS };
 
-static bool compile(Program *program, const Pass *pass, const GlApi *gl, const Plan *plan,
-                    const RenderParams *params, Error *error) {
-    GlslSource source = {0};
-    bool ok =
-        pass_text(pass, plan, params, &source, error) && pass_compile(program, gl, &source, params, error);
-    glsl_source_destroy(&source);
-    return ok;
-}
-
 bool chain_pass_create(ChainPass *pass, const Context *context, const Plan *plan, const RenderParams *params,
                        Error *error) {
     const GlApi *gl = &context->gl;
@@ -51,8 +42,8 @@ bool chain_pass_create(ChainPass *pass, const Context *context, const Plan *plan
     pass->sources = texture_create(gl, COLUMNS, MOST_ROWS, GL_NEAREST, NULL);
     return target_create(&pass->chains, context, COLUMNS, MOST_ROWS, (1U << OUTPUTS) - 1, error) &&
            target_create(&pass->numbers, context, COLUMNS, MOST_ROWS * NUMBER_ROWS, 1, error) &&
-           compile(&pass->steps, &chain_steps_pass, gl, plan, params, error) &&
-           compile(&pass->keep, &chain_keep_pass, gl, plan, params, error);
+           pass_program(&pass->steps, &chain_steps_pass, gl, plan, params, error) &&
+           pass_program(&pass->keep, &chain_keep_pass, gl, plan, params, error);
 }
 
 void chain_pass_destroy(ChainPass *pass) {

@@ -116,6 +116,15 @@ bool pass_compile(Program *program, const GlApi *gl, const GlslSource *source, c
     return false;
 }
 
+bool pass_program(Program *program, const Pass *pass, const GlApi *gl, const Plan *plan,
+                  const RenderParams *params, Error *error) {
+    GlslSource source = {0};
+    bool ok =
+        pass_text(pass, plan, params, &source, error) && pass_compile(program, gl, &source, params, error);
+    glsl_source_destroy(&source);
+    return ok;
+}
+
 bool pass_trace_text(const RenderParams *params, GlslSource *source, Error *error) {
     Plan plan;
     return plan_make(&plan, params, NULL, error) &&

@@ -53,6 +53,10 @@ MUST_CHECK bool pass_text(const Pass *pass, const Plan *plan, const RenderParams
 MUST_CHECK bool pass_compile(Program *program, const GlApi *gl, const GlslSource *source,
                              const RenderParams *params, Error *error);
 
+/* Makes the text of a pass and compiles it. */
+MUST_CHECK bool pass_program(Program *program, const Pass *pass, const GlApi *gl, const Plan *plan,
+                             const RenderParams *params, Error *error);
+
 /* Makes the text of the program that traces the paths, without a plan. */
 MUST_CHECK bool pass_trace_text(const RenderParams *params, GlslSource *source, Error *error);
 

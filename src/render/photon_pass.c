@@ -27,15 +27,6 @@ enum { POINT, START };
 /* The number of light paths for each path from the camera. */
 static const double paths_a_path = 0.4;
 
-static bool compile(Program *program, const Pass *pass, const GlApi *gl, const Plan *plan,
-                    const RenderParams *params, Error *error) {
-    GlslSource source = {0};
-    bool ok =
-        pass_text(pass, plan, params, &source, error) && pass_compile(program, gl, &source, params, error);
-    glsl_source_destroy(&source);
-    return ok;
-}
-
 static void attach(const PhotonPass *pass) {
     static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT0 + 1};
     const GLuint textures[] = {pass->points, pass->starts};
@@ -58,8 +49,8 @@ bool photon_pass_create(PhotonPass *pass, const Context *context, const Plan *pl
     gl->GenFramebuffers(1, &pass->framebuffer);
     attach(pass);
     return gl_check(gl, "textures for light paths", error) &&
-           compile(&pass->throwers, &throwers_pass, gl, plan, params, error) &&
-           compile(&pass->photons, &photons_pass, gl, plan, params, error);
+           pass_program(&pass->throwers, &throwers_pass, gl, plan, params, error) &&
+           pass_program(&pass->photons, &photons_pass, gl, plan, params, error);
 }
 
 void photon_pass_destroy(PhotonPass *pass) {

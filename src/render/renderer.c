@@ -8,11 +8,8 @@
 
 static bool create_program(Renderer *renderer, const Context *context, const RenderParams *params,
                            Error *error) {
-    GlslSource source = {0};
-    bool ok = pass_text(film_pass(&renderer->plan), &renderer->plan, params, &source, error) &&
-              pass_compile(&renderer->program, &context->gl, &source, params, error);
-    glsl_source_destroy(&source);
-    return ok;
+    const Plan *plan = &renderer->plan;
+    return pass_program(&renderer->program, film_pass(plan), &context->gl, plan, params, error);
 }
 
 static bool list_files(Renderer *renderer, const RenderParams *params, Error *error) {
