@@ -162,6 +162,7 @@ static void test_spheres(void **state) {
         int count = 0;
         Error error;
         SourceStore *store = source_store_create("glsl");
+        source_store_choose(store, path);
         const SourceFile *balls;
         bool ok = source_store_read(store, path, &balls, &error) &&
                   sphere_file_parse(balls, 1000, &spheres, &count, &error);

@@ -131,6 +131,7 @@ static void test_near_first(void **state) {
 
 static bool read_file(const char *path, int most, float **spheres, int *count, Error *error) {
     SourceStore *store = source_store_create("glsl");
+    source_store_choose(store, path);
     const SourceFile *file;
     *spheres = NULL;
     bool ok =

@@ -2,6 +2,7 @@
 
 #include "base/descriptor.h"
 #include "base/memory.h"
+#include "base/regular.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -11,32 +12,55 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static const size_t size_limit = (size_t)4 << 30;
-
-/* Appends all of an open file. */
-static bool read_all(FILE *file, const char *path, Status status, Text *text, Error *error) {
-    char buffer[65536];
-    size_t got;
-    int failed = 0;
-    while (!failed && (got = fread(buffer, 1, sizeof buffer, file)) > 0) {
-        text_append(text, buffer, got);
-        if (text->size > size_limit) failed = EFBIG; /* an endless device */
-    }
-    if (ferror(file)) failed = errno;
-    if (failed) return error_set(error, status, "%s: cannot be read: %s", path, strerror(failed));
-    return true;
+/* `size` is 0 where it is not known, for a stream. */
+static bool file_too_large(const char *path, const FileBounds *bounds, size_t size, Error *error) {
+    if (size)
+        return error_set(error, bounds->status,
+                         "%s: cannot be read: it has %zu bytes, and at most %zu can be", path, size,
+                         bounds->most);
+    return error_set(error, bounds->status, "%s: cannot be read: it has more than the %zu bytes that can be",
+                     path, bounds->most);
 }
 
-bool file_read(const char *path, Status status, Text *text, Error *error) {
-    FILE *file = fopen(path, "rb");
-    if (!file) return error_set(error, status, "%s: cannot be read: %s", path, strerror(errno));
-    bool ok = read_all(file, path, status, text, error);
-    fclose(file);
+/* Appends all of an open file, `expected` bytes if it does not change meanwhile. */
+static bool read_all(int descriptor, const char *path, const FileBounds *bounds, size_t expected, Text *text,
+                     Error *error) {
+    size_t start = text->size;
+    ssize_t got = 1;
+    text_reserve(text, expected);
+    while (got > 0 && text->size - start <= bounds->most) {
+        char buffer[16384];
+        got = read(descriptor, buffer, sizeof buffer);
+        if (got < 0 && errno == EINTR)
+            got = 1;
+        else if (got > 0)
+            text_append(text, buffer, (size_t)got);
+    }
+    if (got < 0) return error_set(error, bounds->status, "%s: cannot be read: %s", path, strerror(errno));
+    return text->size - start <= bounds->most || file_too_large(path, bounds, 0, error);
+}
+
+bool file_read_open(int descriptor, const char *path, const FileBounds *bounds, Text *text, Error *error) {
+    struct stat found;
+    size_t size = fstat(descriptor, &found) == 0 && S_ISREG(found.st_mode) ? (size_t)found.st_size : 0;
+    if (size > bounds->most) return file_too_large(path, bounds, size, error);
+    return read_all(descriptor, path, bounds, size, text, error);
+}
+
+bool file_read_within(const char *path, const FileBounds *bounds, Text *text, Error *error) {
+    struct stat found;
+    int descriptor = regular_open(path, &found, bounds->status, error);
+    bool ok = descriptor >= 0 && file_read_open(descriptor, path, bounds, text, error);
+    if (descriptor >= 0) close(descriptor);
     return ok;
 }
 
-bool file_read_input(Status status, Text *text, Error *error) {
-    return read_all(stdin, "standard input", status, text, error);
+bool file_read(const char *path, Status status, Text *text, Error *error) {
+    return file_read_within(path, &(FileBounds){status, FILE_MOST}, text, error);
+}
+
+bool file_read_input(const FileBounds *bounds, Text *text, Error *error) {
+    return read_all(STDIN_FILENO, "standard input", bounds, 0, text, error);
 }
 
 bool file_is_terminal(const char *path) {
@@ -63,8 +87,8 @@ static bool output_error(const char *path, int number, Error *error) {
 /* The folder that holds `path`, to be freed. */
 static char *folder_of(const char *path) {
     const char *slash = strrchr(path, '/');
-    if (!slash) return strdup(".");
-    return slash == path ? strdup("/") : strndup(path, (size_t)(slash - path));
+    if (!slash) return memory_string(".");
+    return slash == path ? memory_string("/") : memory_string_part(path, (size_t)(slash - path));
 }
 
 /* Whether an open file takes what is written. */

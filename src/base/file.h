@@ -3,11 +3,28 @@
 
 #include "base/text.h"
 
-/* Appends the whole file to `text`. The error says why it could not be read, with `status`. */
+/* What a reader takes at most, in bytes, and the status of its errors. */
+typedef struct FileBounds {
+    Status status;
+    size_t most;
+} FileBounds;
+
+/* The most bytes of any file. */
+#define FILE_MOST ((size_t)1 << 30)
+
+/* Appends the whole of a regular file to `text`; everything else is refused (base/regular.h). The error says
+ * why it could not be read, with `status`. */
 MUST_CHECK bool file_read(const char *path, Status status, Text *text, Error *error);
 
+/* The same for a file of `bounds->most` bytes at most. A larger one is refused before it is read. */
+MUST_CHECK bool file_read_within(const char *path, const FileBounds *bounds, Text *text, Error *error);
+
+/* The same for what is open already; `path` is its name for errors. */
+MUST_CHECK bool file_read_open(int descriptor, const char *path, const FileBounds *bounds, Text *text,
+                               Error *error);
+
 /* Appends all that standard input has. */
-MUST_CHECK bool file_read_input(Status status, Text *text, Error *error);
+MUST_CHECK bool file_read_input(const FileBounds *bounds, Text *text, Error *error);
 
 /* Replaces the file at `path` by `size` bytes, at once or not at all. The bytes go into a temporary file
  * beside the target, which is renamed when it is complete. A symbolic link stays a link. A target that is no

@@ -1,23 +1,31 @@
 #include "base/lines.h"
 
-#include "base/file.h"
-
 #include <string.h>
 
 static const char byte_order_mark[] = "\xef\xbb\xbf";
 
-bool lines_read(const char *path, Status status, Text *text, Error *error) {
-    Text content = {0};
-    bool ok = file_read(path, status, &content, error);
-    if (ok && content.size && memchr(content.data, 0, content.size))
-        ok = error_set(error, status, "%s:1: not a text file", path);
-    if (ok) {
-        size_t mark = strlen(byte_order_mark);
-        bool marked = strncmp(text_string(&content), byte_order_mark, mark) == 0;
-        text_append(text, text_string(&content) + (marked ? mark : 0), content.size - (marked ? mark : 0));
+/* Makes a text of what was read behind `start`. */
+static bool content_check(const char *path, Status status, Text *text, size_t start, Error *error) {
+    size_t mark = strlen(byte_order_mark);
+    if (text->size > start && memchr(text->data + start, 0, text->size - start))
+        return error_set(error, status, "%s:1: not a text file", path);
+    if (text->size >= start + mark && memcmp(text->data + start, byte_order_mark, mark) == 0) {
+        memmove(text->data + start, text->data + start + mark, text->size - start - mark + 1);
+        text->size -= mark;
     }
-    text_free(&content);
-    return ok;
+    return true;
+}
+
+bool lines_read_open(int descriptor, const char *path, const FileBounds *bounds, Text *text, Error *error) {
+    size_t start = text->size;
+    return file_read_open(descriptor, path, bounds, text, error) &&
+           content_check(path, bounds->status, text, start, error);
+}
+
+bool lines_read(const char *path, Status status, Text *text, Error *error) {
+    size_t start = text->size;
+    return file_read_within(path, &(FileBounds){status, LINES_MOST}, text, error) &&
+           content_check(path, status, text, start, error);
 }
 
 Lines lines_of(const char *text) {

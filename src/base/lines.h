@@ -11,7 +11,7 @@
  */
 #pragma once
 
-#include "base/text.h"
+#include "base/file.h"
 
 typedef struct Lines {
     /* What is still to be read, in the caller's text. */
@@ -23,9 +23,16 @@ typedef struct Lines {
     Text line;
 } Lines;
 
+/* The most bytes of a text file. */
+#define LINES_MOST ((size_t)64 << 20)
+
 /* Appends a text file's content without its byte order mark. A file that holds a zero byte is refused with
  * `status`: "PATH:1: not a text file". */
 MUST_CHECK bool lines_read(const char *path, Status status, Text *text, Error *error);
+
+/* The same for what is open already; `path` is its name for errors. */
+MUST_CHECK bool lines_read_open(int descriptor, const char *path, const FileBounds *bounds, Text *text,
+                                Error *error);
 
 /* Reads the lines of `text`, which stays as it is and has to outlive the reader. */
 Lines lines_of(const char *text);

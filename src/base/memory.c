@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static void memory_out(void) {
     fputs("magichour: out of memory\n", stderr);
@@ -23,4 +24,15 @@ void *memory_grow(void *old, size_t count, size_t size) {
     void *memory = realloc(old, bytes ? bytes : 1);
     if (!memory) memory_out();
     return memory;
+}
+
+char *memory_string(const char *string) {
+    return memory_string_part(string, strlen(string));
+}
+
+char *memory_string_part(const char *string, size_t length) {
+    size_t there = strnlen(string, length);
+    char *copy = memory_get(there + 1, 1);
+    memcpy(copy, string, there);
+    return copy;
 }

@@ -7,6 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+void text_reserve(Text *text, size_t size) {
+    if (text->size + size + 1 <= text->capacity) return;
+    text->capacity = text->size + size + 1;
+    text->data = memory_grow(text->data, text->capacity, 1);
+    text->data[text->size] = 0;
+}
+
 void text_append(Text *text, const void *data, size_t size) {
     if (text->size + size + 1 > text->capacity) {
         text->capacity = (text->size + size + 1) * 2;

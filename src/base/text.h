@@ -12,6 +12,9 @@ typedef struct Text {
     size_t size, capacity;
 } Text;
 
+/* Makes room for `size` more bytes. */
+void text_reserve(Text *text, size_t size);
+
 void text_append(Text *text, const void *data, size_t size);
 void text_print(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

@@ -85,7 +85,7 @@ bool ledger_open(Ledger *ledger, const char *path, const char *identity, int wor
                  Text *set_aside, Error *error) {
     Text file = {0};
     bool ok = true;
-    *ledger = (Ledger){.path = strdup(path), .word_count = word_count, .number_count = 1 - word_count};
+    *ledger = (Ledger){.path = memory_string(path), .word_count = word_count, .number_count = 1 - word_count};
     for (const char *c = columns; *c; c++) ledger->number_count += *c == ',';
     text_print(&ledger->head, "%s%s\n", identity, columns);
     if (access(path, F_OK) == 0) {

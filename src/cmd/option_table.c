@@ -178,6 +178,10 @@ const OptionRow option_table[] = {
     {GROUP_OTHER, "--backend", "NAME", R | I | S | H | E, STRING(backend), "auto, egl, osmesa or glfw", NULL},
     {GROUP_OTHER, "--glsl-dir", "DIR", R | V | I | F | S | H | E, STRING(glsl_dir),
      "the GLSL library, in place of the one beside the program", NULL},
+    {GROUP_OTHER, "--allow-includes", "DIR", R | V | I | F | H | E, TAKE(take_allowed),
+     "let the scene read the files of this folder, besides those of its own and of the library; may be "
+     "repeated",
+     NULL},
     {GROUP_OTHER, "--progress", "KIND", R | S | H | E, WORD(progress, "tty,lines,json,none"),
      "tty (a line that is written over), lines (one every 5 seconds), json or none; tty on a terminal, else "
      "lines",

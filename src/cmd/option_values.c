@@ -27,6 +27,14 @@ bool take_setting(Options *options, const char *name, const char *value, Error *
     return true;
 }
 
+bool take_allowed(Options *options, const char *name, const char *value, Error *error) {
+    enum { MOST = sizeof options->allowed / sizeof *options->allowed };
+    if (options->allowed_count == MOST)
+        return error_set(error, STATUS_USAGE, "%s more than %d times", name, MOST);
+    options->allowed[options->allowed_count++] = value;
+    return true;
+}
+
 bool take_layer(Options *options, const char *name, const char *value, Error *error) {
     enum { MOST = sizeof options->layers / sizeof *options->layers };
     if (options->layer_count == MOST)

@@ -48,6 +48,10 @@ typedef struct Options {
     const char *settings[64];
     int setting_count;
 
+    /* Folders whose files a scene may read. */
+    const char *allowed[16];
+    int allowed_count;
+
     unsigned long long samples;
     double seconds;
     ErrorTarget error;

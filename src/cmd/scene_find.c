@@ -1,5 +1,6 @@
 #include "cmd/scene_find.h"
 
+#include "base/memory.h"
 #include "base/near.h"
 #include "base/text.h"
 #include "scene/scene_list.h"
@@ -56,7 +57,7 @@ bool scene_find(const char *word, const char *library, char **path, Error *error
     *path = there && !S_ISDIR(status.st_mode) ? NULL : find_installed(word, folder);
     bool ok = *path || !missing || not_found(word, folder, error);
     /* What else is wrong with the file is said when it is opened. */
-    if (ok && !*path) *path = strdup(word);
+    if (ok && !*path) *path = memory_string(word);
     free(folder);
     return ok;
 }

@@ -1,5 +1,6 @@
 #include "cmd/setup.h"
 
+#include "base/memory.h"
 #include "base/text.h"
 #include "cmd/scene_find.h"
 #include "scene/sun_clock.h"
@@ -25,13 +26,17 @@ static char *library_in(const char *folder, const char *name) {
 }
 
 bool setup_library(const Options *options, char **library, Error *error) {
+    for (int i = 0; i < options->allowed_count; i++) {
+        if (!source_folders_allow(options->allowed[i], error))
+            return error_prefix(error, "--allow-includes ");
+    }
     if (options->glsl_dir) {
         *library = library_in(options->glsl_dir, ".");
         free(*library);
         if (!*library) {
             return error_set(error, STATUS_USAGE, "--glsl-dir %s: no %s there", options->glsl_dir, landmark);
         }
-        *library = strdup(options->glsl_dir);
+        *library = memory_string(options->glsl_dir);
         return true;
     }
     char folder[4096];
@@ -50,7 +55,7 @@ bool setup_library(const Options *options, char **library, Error *error) {
 static bool apply_settings(const Options *options, Scene *scene, Error *error) {
     for (int i = 0; i < options->setting_count; i++) {
         const char *equals = strchr(options->settings[i], '=');
-        char *name = strndup(options->settings[i], (size_t)(equals - options->settings[i]));
+        char *name = memory_string_part(options->settings[i], (size_t)(equals - options->settings[i]));
         bool ok = scene_set(scene, name, equals + 1, error);
         free(name);
         if (!ok) return error_prefix(error, "--set ");

@@ -39,7 +39,7 @@ static bool is_owed(const GlslUniforms *declared, const GlslSource *source, cons
     snprintf(base, sizeof base, "%.*s", (int)strcspn(name, ".["), name);
     const GlslUniform *uniform = glsl_uniforms_find(declared, base);
     if (!uniform || uniform->file < 0 || uniform->file >= source->file_count) return false;
-    const char *path = source->files[uniform->file], *slash = strrchr(path, '/');
+    const char *path = glsl_source_file(source, uniform->file), *slash = strrchr(path, '/');
     return slash && slash - path >= 4 && strncmp(slash - 4, "pass", 4) == 0;
 }
 

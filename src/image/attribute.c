@@ -19,7 +19,7 @@ void attribute_add(AttributeList *list, const char *name, const char *format, ..
     va_end(again);
 
     list->items = memory_grow(list->items, (size_t)list->count + 1, sizeof *list->items);
-    list->items[list->count++] = (Attribute){strdup(name), value};
+    list->items[list->count++] = (Attribute){memory_string(name), value};
 }
 
 void attribute_list_free(AttributeList *list) {

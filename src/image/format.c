@@ -98,8 +98,8 @@ bool image_read_as(Image *image, const char *path, const ImageReadParams *params
     *image = (Image){0};
     Text file = {0};
     bool input = strcmp(path, "-") == 0;
-    bool read =
-        input ? file_read_input(STATUS_FAILURE, &file, error) : file_read(path, STATUS_FAILURE, &file, error);
+    bool read = input ? file_read_input(&(FileBounds){STATUS_FAILURE, FILE_MOST}, &file, error)
+                      : file_read(path, STATUS_FAILURE, &file, error);
     if (input) path = "standard input";
     if (read) {
         const char *start = text_string(&file);

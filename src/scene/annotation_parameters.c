@@ -1,6 +1,7 @@
 #include "scene/annotation_parameters.h"
 
 #include "base/known.h"
+#include "base/memory.h"
 #include "scene/host_names.h"
 #include "scene/setting.h"
 
@@ -35,7 +36,7 @@ static Parameter *add(SceneFile *file, const char *name, Error *error) {
         return NULL;
     }
     Parameter *parameter = &file->parameters[file->parameter_count++];
-    *parameter = (Parameter){.max = 1, .unit = strdup(""), .label = strdup("")};
+    *parameter = (Parameter){.max = 1, .unit = memory_string(""), .label = memory_string("")};
     snprintf(parameter->name, sizeof parameter->name, "%s", name);
     return parameter;
 }
@@ -92,7 +93,7 @@ static bool read_words(const Line *line, int at, Parameter *parameter, Error *er
         if (!key_once(line, at, error)) return false;
         char **target = unit ? &parameter->unit : &parameter->label;
         free(*target);
-        *target = strdup(line->words[at + 1]);
+        *target = memory_string(line->words[at + 1]);
     }
     return true;
 }
@@ -141,7 +142,7 @@ int parameters_add_switch(SceneFile *file, const char *name, const char *label, 
     if (!parameter) return -1;
     parameter->type = PARAMETER_CHECKBOX;
     free(parameter->label);
-    parameter->label = strdup(label);
+    parameter->label = memory_string(label);
     int number = (int)(parameter - file->parameters);
     file->values.parameters[number][0] = 1;
     return number;

@@ -7,7 +7,7 @@
 static bool fail_at(const GlslSource *source, int line, Error *error) {
     int file, number;
     if (!glsl_source_place(source, line, &file, &number)) return false;
-    return error_prefix(error, "%s:%d: ", source->files[file], number);
+    return error_prefix(error, "%s:%d: ", glsl_source_file(source, file), number);
 }
 
 static bool find_kind(SceneFile *file, const GlslSource *source, const GlslScan *scan, HintKind kind,

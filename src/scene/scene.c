@@ -37,7 +37,8 @@ static bool read_sphere_file(SceneFile *file, Error *error) {
     Text path = {0};
     if (slash && name[0] != '/') text_append(&path, file->path, (size_t)(slash - file->path) + 1);
     text_print(&path, "%s", name);
-    bool ok = source_store_read(file->sources, text_string(&path), &file->sphere_file, error);
+    bool ok = source_folders_check_name(name, error) &&
+              source_store_read_table(file->sources, text_string(&path), &file->sphere_file, error);
     text_free(&path);
     return ok || error_prefix(error, "%s:%d: spheres: ", file->path, file->spheres_line);
 }

@@ -58,7 +58,8 @@ SceneFacts scene_facts(const GlslSource *source) {
     glsl_scan_free(&scan);
     facts.materials = memory_get((size_t)source->materials.count, sizeof *facts.materials);
     facts.material_count = source->materials.count;
-    for (int i = 0; i < source->materials.count; i++) facts.materials[i] = strdup(source->materials.names[i]);
+    for (int i = 0; i < source->materials.count; i++)
+        facts.materials[i] = memory_string(source->materials.names[i]);
     return facts;
 }
 

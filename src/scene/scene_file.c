@@ -8,10 +8,10 @@
 
 SceneFile *scene_file_create(const char *path, const char *library) {
     SceneFile *file = memory_get(1, sizeof *file);
-    *file = (SceneFile){.path = strdup(path),
+    *file = (SceneFile){.path = memory_string(path),
                         .sources = source_store_create(library),
-                        .title = strdup(""),
-                        .look = strdup(""),
+                        .title = memory_string(""),
+                        .look = memory_string(""),
                         .width = 512,
                         .height = 512,
                         .values = {.camera = {.eye = {0, 2, -4}, .fov_deg = 90},
@@ -19,6 +19,7 @@ SceneFile *scene_file_create(const char *path, const char *library) {
                                    .clock = sun_clock_none(),
                                    .atmosphere = atmosphere_preset(0)->atmosphere},
                         .users = 1};
+    source_store_choose(file->sources, path);
     return file;
 }
 

@@ -39,9 +39,10 @@ static void add_file(SceneList *list, const char *folder, const char *name) {
     (void)!annotation_read(file, &ignored);
     if (file->sources->file_count && is_scene(text_string(&file->sources->files[0]->text))) {
         list->entries = memory_grow(list->entries, (size_t)list->count + 1, sizeof *list->entries);
-        list->entries[list->count++] = (SceneEntry){.name = strndup(name, strlen(name) - (sizeof ending - 1)),
-                                                    .title = strdup(file->title),
-                                                    .path = strdup(file->path)};
+        list->entries[list->count++] =
+            (SceneEntry){.name = memory_string_part(name, strlen(name) - (sizeof ending - 1)),
+                         .title = memory_string(file->title),
+                         .path = memory_string(file->path)};
     }
     scene_file_release(file);
     text_free(&path);

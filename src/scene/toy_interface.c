@@ -45,15 +45,18 @@ static void put(ToyInterface *interface, int i, const char *words) {
 }
 
 static void note(ToyInterface *interface, int i, const char *words) {
+    enum { MOST_NOTES = 20 };
+    if (interface->note_count++ >= MOST_NOTES) return;
     text_print(&interface->notes, "%s:%d: %.*s %s\n",
-               interface->source->files[interface->tokens->list[i].file],
+               glsl_source_file(interface->source, interface->tokens->list[i].file),
                glsl_token_line(interface->tokens, i), size_at(interface, i), word_at(interface, i), words);
 }
 
 static bool refuse(const ToyInterface *interface, int i, const char *words, Error *error) {
-    return error_set(
-        error, STATUS_SCENE, "%s:%d: %.*s %s", interface->source->files[interface->tokens->list[i].file],
-        glsl_token_line(interface->tokens, i), size_at(interface, i), word_at(interface, i), words);
+    return error_set(error, STATUS_SCENE, "%s:%d: %.*s %s",
+                     glsl_source_file(interface->source, interface->tokens->list[i].file),
+                     glsl_token_line(interface->tokens, i), size_at(interface, i), word_at(interface, i),
+                     words);
 }
 
 static bool is_parameter(const ToyInterface *interface, int name) {
@@ -65,7 +68,7 @@ static bool is_parameter(const ToyInterface *interface, int name) {
 
 /* The name of one of Shadertoy's inputs is for the file's own variable. */
 static void take_name(ToyInterface *interface, int name) {
-    text_print(&interface->taken, "\n%.*s\n", size_at(interface, name), word_at(interface, name));
+    names_add(&interface->taken, word_at(interface, name), (size_t)size_at(interface, name));
 }
 
 static bool is_sampler(const ToyInterface *interface, int type) {
@@ -97,9 +100,7 @@ static bool read_uniforms(ToyInterface *interface, const Declaration *declaratio
     Text words = {0};
     for (int name = declaration->name; name < declaration->end;) {
         const ToyInput *input = toy_input_find(tokens, name);
-        int comma = glsl_token_find(tokens, name, ","),
-            behind = comma < declaration->end ? comma : declaration->end,
-            next = glsl_token_next(tokens, name);
+        int behind = glsl_token_comma(tokens, name, declaration->end), next = glsl_token_next(tokens, name);
         if (input && is_sampler(interface, declaration->type) &&
             !is(interface, declaration->type, input->type)) {
             text_free(&words);
@@ -206,9 +207,7 @@ static const char *new_name(const ToyInterface *interface, int i) {
 }
 
 static bool is_taken(const ToyInterface *interface, int i) {
-    char line[96];
-    snprintf(line, sizeof line, "\n%.*s\n", size_at(interface, i), word_at(interface, i));
-    return interface->taken.size && strstr(text_string(&interface->taken), line);
+    return names_find(&interface->taken, word_at(interface, i), (size_t)size_at(interface, i)) >= 0;
 }
 
 static bool is_own(const ToyInterface *interface, int i) {
@@ -271,5 +270,5 @@ bool toy_interface_read(ToyInterface *interface, Error *error) {
 void toy_interface_free(ToyInterface *interface) {
     text_free(&interface->call);
     text_free(&interface->notes);
-    text_free(&interface->taken);
+    names_free(&interface->taken);
 }

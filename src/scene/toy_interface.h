@@ -16,7 +16,9 @@ typedef struct ToyInterface {
     /* The statements that run the file, and what it will not get, a line each. */
     Text call, notes;
     /* The names of Shadertoy's inputs that the file has for something else. */
-    Text taken;
+    Names taken;
+    /* How many notes there are; no more than a few are kept. */
+    int note_count;
     bool has_main, renames_time;
     /* The variable that main() writes, and what makes a colour of it. */
     char output[80], output_type[16];

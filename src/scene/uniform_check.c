@@ -27,7 +27,7 @@ static bool is_input(const char *name) {
 
 static bool is_set(const SceneFile *file, const GlslSource *source, const GlslUniform *uniform) {
     char path[256];
-    return uniform->has_value || in_library(file, source->files[uniform->file]) ||
+    return uniform->has_value || in_library(file, glsl_source_file(source, uniform->file)) ||
            is_parameter(file, uniform->name) || is_input(uniform->name) ||
            host_names_find(file->sources, uniform->name, path, sizeof path);
 }
@@ -54,7 +54,7 @@ bool uniform_check(const SceneFile *file, const GlslSource *source, Error *error
     for (int i = 0; ok && i < uniforms.count; i++) {
         const GlslUniform *uniform = &uniforms.items[i];
         if (is_set(file, source, uniform)) continue;
-        const char *path = source->files[uniform->file];
+        const char *path = glsl_source_file(source, uniform->file);
         bool included = strcmp(path, file->path) != 0;
         ok = error_set(error, STATUS_SCENE, "%s:%d: nothing sets the uniform '%s': %s%s%s", path,
                        uniform->line, uniform->name, remedy(uniform->type),

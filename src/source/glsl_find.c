@@ -1,5 +1,7 @@
 #include "source/glsl_find.h"
 
+#include "base/memory.h"
+
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -27,7 +29,7 @@ static bool same_file(const char *a, const char *b) {
 
 /* "material/matte.glsl" for "./material//../material/matte.glsl", to be freed. */
 static char *plain_name(const char *name) {
-    char *plain = strdup(name);
+    char *plain = memory_string(name);
     size_t used = 0;
     for (const char *at = name; *at;) {
         size_t length = strcspn(at, "/");
@@ -47,9 +49,10 @@ static char *plain_name(const char *name) {
     return plain;
 }
 
-Found glsl_find_chosen(const SourceStore *store, const char *path, bool own) {
+Found glsl_find_chosen(SourceStore *store, const char *path, bool own) {
     char *found = own ? NULL : in_library(store, path);
     if (found) return (Found){found, false};
+    source_store_choose(store, path);
     return (Found){existing_file("", 0, path), true};
 }
 
@@ -59,7 +62,7 @@ static Found found_beside(SourceStore *store, char *beside, const char *name) {
     bool other = library && !same_file(beside, library);
     Found found = {beside, !library || other};
     if (other) {
-        found.path = strdup(source_store_shadow(store, name, beside));
+        found.path = memory_string(source_store_shadow(store, name, beside));
         free(beside);
     }
     free(library);
@@ -67,6 +70,7 @@ static Found found_beside(SourceStore *store, char *beside, const char *name) {
 }
 
 Found glsl_find_quoted(SourceStore *store, const Found *includer, const char *name) {
+    if (*name == '/') return (Found){existing_file("", 0, name), true};
     const char *slash = strrchr(includer->path, '/');
     size_t length = slash > includer->path ? (size_t)(slash - includer->path) : slash != NULL;
     char *beside = existing_file(includer->path, length, name), *plain = plain_name(name);
@@ -79,8 +83,8 @@ Found glsl_find_quoted(SourceStore *store, const Found *includer, const char *na
         bool inside = beside && strncmp(beside, store->folder, folder) == 0 && beside[folder] == '/';
         char *logical = plain_name(inside ? beside + folder + 1 : name);
         const char *shadow = source_store_shadowed(store, logical);
-        found = shadow   ? (Found){strdup(shadow), true}
-                : beside ? (Found){strdup(beside), false}
+        found = shadow   ? (Found){memory_string(shadow), true}
+                : beside ? (Found){memory_string(beside), false}
                          : (Found){in_library(store, name), false};
         free(logical);
         free(beside);

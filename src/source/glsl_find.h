@@ -14,8 +14,9 @@ typedef struct Found {
 
 /* For a path that the host chose: relative to the library, or else to the working folder; `own` paths are
  * never looked for in the library. */
-Found glsl_find_chosen(const SourceStore *store, const char *path, bool own);
+Found glsl_find_chosen(SourceStore *store, const char *path, bool own);
 
-/* For the name that stands in quotes in the file `includer`: beside that file, else in the library. Where the
- * user has a file of a library file's name, the first one that was found takes its place. */
+/* For the name that stands in quotes in the file `includer`: beside that file, else in the library. An
+ * absolute path is itself. Where the user has a file of a library file's name, the first one that was found
+ * takes its place. */
 Found glsl_find_quoted(SourceStore *store, const Found *includer, const char *name);

@@ -1,13 +1,15 @@
 #include "source/glsl_log.h"
 
 #include "base/lines.h"
+#include "base/memory.h"
 #include "source/glsl_clash.h"
+#include "source/glsl_line.h"
 
 #include <stdio.h>
 #include <string.h>
 
 char *glsl_source_plain(const GlslSource *source) {
-    char *plain = strdup(text_string(&source->text));
+    char *plain = memory_string(text_string(&source->text));
     for (char *line = plain; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         if (strncmp(line, "#line ", 6) == 0) memcpy(line, "//", 2);
     }
@@ -19,7 +21,7 @@ bool glsl_source_place(const GlslSource *source, int wanted, int *file, int *num
     const char *line = text_string(&source->text);
     *file = *number = 0;
     for (int at = 1; *line; at++, line += strcspn(line, "\n"), line += *line == '\n') {
-        if (strncmp(line, "#line ", 6) != 0 || sscanf(line, "#line %d %d", number, file) != 2) {
+        if (!glsl_line_read(line, number, file)) {
             ++*number;
         } else {
             --*number;
@@ -51,7 +53,7 @@ static void explain_clash(const GlslSource *source, int text_line, Text *explain
     if (!glsl_clash_find(source, text_line, &clash) || clash.file < 0 || clash.file >= source->file_count)
         return;
     text_print(explained, " (%s:%d has the name %s too: give one of them another name)",
-               source->files[clash.file], clash.line, clash.name);
+               glsl_source_file(source, clash.file), clash.line, clash.name);
 }
 
 void glsl_source_explain(const GlslSource *source, const char *log, Error *error) {
@@ -70,7 +72,7 @@ void glsl_source_explain(const GlslSource *source, const char *log, Error *error
             text_print(&rest, "%s%.*s", rest.size ? "\n" : "", (int)(line + length - words), words);
             continue;
         }
-        text_print(&explained, "%s%s:%d: %.*s", lines++ ? "\n" : "", source->files[file], number,
+        text_print(&explained, "%s%s:%d: %.*s", lines++ ? "\n" : "", glsl_source_file(source, file), number,
                    (int)(line + length - words), words);
         explain_clash(source, text_line, &explained);
     }
@@ -93,7 +95,7 @@ void glsl_source_warnings(const GlslSource *source, const char *log, Text *warni
         if (!strstr(line, "nitialized") || !parse_log_line(line, &number, &words)) continue;
         if (strncmp(words, "warning: ", 9) == 0) words += 9;
         if (glsl_source_place(source, number, &file, &number))
-            text_print(warnings, "%s:%d: %s\n", source->files[file], number, words);
+            text_print(warnings, "%s:%d: %s\n", glsl_source_file(source, file), number, words);
     }
     lines_free(&lines);
 }

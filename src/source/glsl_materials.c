@@ -17,7 +17,7 @@ static char *material_name(const char *path) {
         return NULL;
     const char *before = slash - length;
     if (before != path && before[-1] != '/') return NULL;
-    return strndup(slash + 1, strcspn(slash + 1, "."));
+    return memory_string_part(slash + 1, strcspn(slash + 1, "."));
 }
 
 static bool is_identifier(const char *name) {

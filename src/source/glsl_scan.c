@@ -1,5 +1,6 @@
 #include "source/glsl_scan.h"
 
+#include "base/memory.h"
 #include "source/glsl_blocks.h"
 
 #include <ctype.h>
@@ -40,7 +41,7 @@ static void blank_what_is_left_out(char *text) {
 }
 
 GlslScan glsl_scan(const char *text) {
-    GlslScan scan = {strdup(text)};
+    GlslScan scan = {memory_string(text)};
     blank_comments(scan.code);
     blank_what_is_left_out(scan.code);
     return scan;
@@ -64,14 +65,18 @@ static const char *find_word(const GlslScan *scan, const char *at, const char *w
     return NULL;
 }
 
-/* Behind the parenthesis that closes the one at `open`: a parameter list may hold INOUT(Hit). */
+/* No parameter list has more bytes. Without an end to the search, a text of parentheses that nothing closes
+ * would take its length squared. */
+enum { MOST_PARAMETERS_BYTES = 4096 };
+
+/* Behind the parenthesis that closes the one at `open`, or NULL: a parameter list may hold INOUT(Hit). */
 static const char *closing_parenthesis(const char *open) {
     int depth = 0;
-    for (; *open; open++) {
-        depth += (*open == '(') - (*open == ')');
-        if (!depth) return open + 1;
+    for (const char *at = open; *at && at < open + MOST_PARAMETERS_BYTES; at++) {
+        depth += (*at == '(') - (*at == ')');
+        if (!depth) return at + 1;
     }
-    return open;
+    return NULL;
 }
 
 /* Whether the word at `at` has a parameter list behind it: the list's end, else NULL. */
@@ -80,7 +85,7 @@ static const char *after_parameters(const char *at, const char *function) {
     at += strspn(at, " \t\n\r");
     if (*at != '(') return NULL;
     at = closing_parenthesis(at);
-    return at + strspn(at, " \t\n\r");
+    return at ? at + strspn(at, " \t\n\r") : NULL;
 }
 
 /* Where the function is named with a parameter list behind: its definitions, or its calls and prototypes. */

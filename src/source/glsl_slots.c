@@ -16,17 +16,17 @@ static GlslSlot *slot_of(SlotList *list, const char *name) {
         return slot;
     }
     list->slots = memory_grow(list->slots, (size_t)list->count + 2, sizeof *list->slots);
-    list->slots[list->count] = (GlslSlot){.name = strdup(name)};
+    list->slots[list->count] = (GlslSlot){.name = memory_string(name)};
     list->slots[list->count + 1] = (GlslSlot){0};
     return &list->slots[list->count++];
 }
 
 void slot_file(SlotList *list, const char *name, const char *path) {
-    slot_of(list, name)->path = strdup(path);
+    slot_of(list, name)->path = memory_string(path);
 }
 
 void slot_text(SlotList *list, const char *name, const char *text) {
-    slot_of(list, name)->text = strdup(text);
+    slot_of(list, name)->text = memory_string(text);
 }
 
 void slot_list_free(SlotList *list) {

@@ -16,6 +16,8 @@ typedef struct Flattener {
     const GlslSlot *slots;
     /* The files of `source`, by number; NULL for what was written here. */
     const SourceFile **files;
+    /* How many files are being included, each by the one before, and how many lines included one so far. */
+    int depth, includes;
 } Flattener;
 
 /* Where an #include stands. */
@@ -35,7 +37,7 @@ static int add_file(Flattener *flattener, const char *path, const SourceFile *fi
     size_t count = (size_t)source->file_count + 1;
     source->files = memory_grow(source->files, count, sizeof *source->files);
     flattener->files = memory_grow((void *)flattener->files, count, sizeof *flattener->files);
-    source->files[count - 1] = strdup(path);
+    source->files[count - 1] = memory_string(path);
     flattener->files[count - 1] = file;
     return source->file_count++;
 }
@@ -90,6 +92,7 @@ static bool no_file(const char *name, const char *library, const Place *place, E
 
 static bool include_quoted(Flattener *flattener, const Found *includer, const char *name, const Place *place,
                            Error *error) {
+    if (!source_folders_check_name(name, error)) return fail_at(place, error);
     Found found = glsl_find_quoted(flattener->store, includer, name);
     bool ok = found.path ? include_file(flattener, &found, place, error)
                          : no_file(name, flattener->store->folder, place, error);
@@ -106,7 +109,10 @@ static bool include_line(Flattener *flattener, const Found *includer, const char
         return error_set(error, STATUS_SCENE, "%s:%d: #include needs \"file.glsl\" or <slot>", place->path,
                          place->line);
     }
-    char *name = strndup(words + 1, (size_t)(end - words - 1));
+    if (++flattener->includes > GLSL_INCLUDES_MOST)
+        return error_set(error, STATUS_SCENE, "%s:%d: more than %d #include lines", place->path, place->line,
+                         GLSL_INCLUDES_MOST);
+    char *name = memory_string_part(words + 1, (size_t)(end - words - 1));
     bool ok = *words == '<' ? include_slot(flattener, name, place, error)
                             : include_quoted(flattener, includer, name, place, error);
     free(name);
@@ -119,7 +125,7 @@ static bool flatten_line(Flattener *flattener, const Found *found, const char *l
     Text *text = &flattener->source->text;
     const char *words = glsl_directive(line, "include");
     /* The language's version is the entry file's. */
-    if (file && glsl_directive(line, "version")) line = "";
+    if ((file && glsl_directive(line, "version")) || glsl_directive(line, "line")) line = "";
     if (words && counts) {
         if (!include_line(flattener, found, words, place, error)) return false;
         text_print(text, "#line %d %d\n", place->line + 1, file);
@@ -151,7 +157,8 @@ static bool flatten_lines(Flattener *flattener, const Found *found, const Source
 static bool include_file(Flattener *flattener, const Found *found, const Place *place, Error *error) {
     GlslSource *source = flattener->source;
     const SourceFile *file;
-    if (!source_store_read(flattener->store, found->path, &file, error)) return false;
+    if (!source_store_read(flattener->store, found->path, &file, error))
+        return place ? fail_at(place, error) : false;
     for (int i = 0; i < source->file_count; i++) {
         if (flattener->files[i] == file) return true;
     }
@@ -161,7 +168,13 @@ static bool include_file(Flattener *flattener, const Found *found, const Place *
         return fail_at(place ? place : &first, error);
     if (number || strncmp(text_string(&file->text), "#version", 8) != 0)
         text_print(&source->text, "#line 1 %d\n", number);
-    return flatten_lines(flattener, found, file, number, error);
+    if (flattener->depth >= GLSL_DEPTH_MOST)
+        return error_set(error, STATUS_SCENE, "%s: files include each other more than %d deep", file->path,
+                         GLSL_DEPTH_MOST);
+    flattener->depth++;
+    bool ok = flatten_lines(flattener, found, file, number, error);
+    flattener->depth--;
+    return ok;
 }
 
 bool glsl_source_create(GlslSource *source, SourceStore *store, const char *entry, const GlslSlot *slots,
@@ -169,7 +182,7 @@ bool glsl_source_create(GlslSource *source, SourceStore *store, const char *entr
     Flattener flattener = {.source = source, .store = store, .slots = slots};
     *source = (GlslSource){0};
     Found found = glsl_find_chosen(store, entry, !slots);
-    if (!found.path) found = (Found){strdup(entry), true};
+    if (!found.path) found = (Found){memory_string(entry), true};
     bool ok = include_file(&flattener, &found, NULL, error);
     free(found.path);
     free((void *)flattener.files);
@@ -183,6 +196,10 @@ void glsl_source_destroy(GlslSource *source) {
     glsl_materials_free(&source->materials);
     text_free(&source->text);
     *source = (GlslSource){0};
+}
+
+const char *glsl_source_file(const GlslSource *source, int file) {
+    return file >= 0 && file < source->file_count ? source->files[file] : "";
 }
 
 bool glsl_source_includes(const GlslSource *source, const char *file) {

@@ -8,13 +8,23 @@
  *
  * A file of the user's that is found under the name of one of the library's takes its place everywhere: the
  * library's own files get it too. What is not included is not compiled, and an `#include` between `#if 0` and
- * its `#else` or `#endif` is none. */
+ * its `#else` or `#endif` is none.
+ *
+ * #line belongs to the flattener: a file's own is left out.
+ *
+ * Which files may be read, and how large they may be, is the store's matter (source/source_store.h). */
 #pragma once
 
 #include "base/error.h"
 #include "base/text.h"
 #include "source/glsl_materials.h"
 #include "source/source_store.h"
+
+enum {
+    /* How deep files may include each other, and how many #include lines a text may be made of. */
+    GLSL_DEPTH_MOST = 64,
+    GLSL_INCLUDES_MOST = 10000
+};
 
 typedef struct GlslSlot {
     /* "sky" */
@@ -38,6 +48,9 @@ typedef struct GlslSource {
 MUST_CHECK bool glsl_source_create(GlslSource *source, SourceStore *store, const char *entry,
                                    const GlslSlot *slots, Error *error);
 void glsl_source_destroy(GlslSource *source);
+
+/* The path of the file of that number, "" where there is none. */
+const char *glsl_source_file(const GlslSource *source, int file);
 
 /* Whether the file, by the end of its path, is among those that the text was made of. */
 bool glsl_source_includes(const GlslSource *source, const char *file);

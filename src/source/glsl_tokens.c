@@ -1,9 +1,9 @@
 #include "source/glsl_tokens.h"
 
 #include "base/memory.h"
+#include "source/glsl_line.h"
 
 #include <ctype.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,8 +24,11 @@ static void add(Reader *reader, GlslTokenKind kind, const char *at, size_t size)
         reader->capacity = reader->capacity ? 2 * reader->capacity : 256;
         tokens->list = memory_grow(tokens->list, (size_t)reader->capacity, sizeof *tokens->list);
     }
-    tokens->list[tokens->count++] =
-        (GlslToken){kind, (size_t)(at - tokens->text), size, reader->file, reader->directive};
+    tokens->list[tokens->count++] = (GlslToken){.kind = kind,
+                                                .at = (size_t)(at - tokens->text),
+                                                .size = size,
+                                                .file = reader->file,
+                                                .directive = reader->directive};
 }
 
 /* Behind a comment or a continued line's end; `at` itself where there is neither. */
@@ -58,7 +61,8 @@ static size_t sign_size(const char *at) {
 
 static const char *read_token(Reader *reader, const char *at) {
     size_t size;
-    if (reader->line_start && sscanf(at, "#line %*d %d", &reader->file) == 1) return at + strcspn(at, "\n");
+    int line;
+    if (reader->line_start && glsl_line_read(at, &line, &reader->file)) return at + strcspn(at, "\n");
     if (reader->line_start && *at == '#') reader->directive = ++reader->directives;
     reader->line_start = false;
     if (isdigit((unsigned char)*at) || (*at == '.' && isdigit((unsigned char)at[1]))) {
@@ -70,6 +74,39 @@ static const char *read_token(Reader *reader, const char *at) {
         add(reader, GLSL_SIGN, at, size = sign_size(at));
     }
     return at + size;
+}
+
+/* 1 for a bracket that opens, -1 for one that closes. */
+static int opens(const GlslTokens *tokens, int i) {
+    static const char *const opening[] = {"(", "[", "{", NULL}, *const closing[] = {")", "]", "}", NULL};
+    return glsl_token_among(tokens, i, opening) - glsl_token_among(tokens, i, closing);
+}
+
+/* Brackets that are open, each by its token. */
+typedef struct Stack {
+    int *list, count;
+} Stack;
+
+static void match(GlslTokens *tokens, int i, Stack *stack) {
+    int way = opens(tokens, i);
+    tokens->list[i].behind = tokens->count;
+    if (way > 0) stack->list[stack->count++] = i;
+    if (way < 0 && stack->count)
+        tokens->list[stack->list[--stack->count]].behind = glsl_token_next(tokens, i);
+}
+
+/* Brackets of the code match each other, and so do those of each directive. */
+static void match_all(GlslTokens *tokens) {
+    size_t count = (size_t)tokens->count;
+    Stack code = {.list = memory_get(count, sizeof(int))},
+          directive = {.list = memory_get(count, sizeof(int))};
+    for (int i = 0; i < tokens->count; i++) {
+        bool begins = i == 0 || tokens->list[i].directive != tokens->list[i - 1].directive;
+        if (begins) directive.count = 0;
+        match(tokens, i, tokens->list[i].directive ? &directive : &code);
+    }
+    free(code.list);
+    free(directive.list);
 }
 
 GlslTokens glsl_tokens(const char *text) {
@@ -89,6 +126,7 @@ GlslTokens glsl_tokens(const char *text) {
             at = read_token(&reader, at);
         }
     }
+    match_all(&tokens);
     return tokens;
 }
 
@@ -123,52 +161,49 @@ int glsl_token_next(const GlslTokens *tokens, int i) {
     return tokens->count;
 }
 
-static int opens(const GlslTokens *tokens, int i) {
-    static const char *const opening[] = {"(", "[", "{", NULL}, *const closing[] = {")", "]", "}", NULL};
-    return glsl_token_among(tokens, i, opening) - glsl_token_among(tokens, i, closing);
-}
-
 int glsl_token_skip(const GlslTokens *tokens, int i) {
-    int depth = 0;
-    while (i < tokens->count) {
-        depth += opens(tokens, i);
-        i = glsl_token_next(tokens, i);
-        if (!depth) break;
-    }
-    return i;
+    if (i >= tokens->count) return i;
+    return opens(tokens, i) > 0 ? tokens->list[i].behind : glsl_token_next(tokens, i);
 }
 
-int glsl_token_find(const GlslTokens *tokens, int i, const char *sign) {
-    while (i < tokens->count && !glsl_token_is(tokens, i, sign)) {
-        int way = opens(tokens, i);
-        if (way < 0) return tokens->count;
-        i = way > 0 ? glsl_token_skip(tokens, i) : glsl_token_next(tokens, i);
+int glsl_token_comma(const GlslTokens *tokens, int i, int end) {
+    while (i < end && !glsl_token_is(tokens, i, ",")) {
+        if (opens(tokens, i) < 0) return end;
+        i = glsl_token_skip(tokens, i);
     }
-    return i;
+    return i < end ? i : end;
+}
+
+/* What is found is noted at every token on the way, so that no way is gone twice. */
+int glsl_token_semicolon(const GlslTokens *tokens, int i) {
+    int found = i;
+    while (found < tokens->count && !tokens->list[found].semicolon && !glsl_token_is(tokens, found, ";"))
+        found = opens(tokens, found) < 0 ? tokens->count : glsl_token_skip(tokens, found);
+    if (found < tokens->count && tokens->list[found].semicolon) found = tokens->list[found].semicolon - 1;
+    while (i < tokens->count && !tokens->list[i].semicolon) {
+        tokens->list[i].semicolon = found + 1;
+        i = i == found || opens(tokens, i) < 0 ? tokens->count : glsl_token_skip(tokens, i);
+    }
+    return found;
 }
 
 int glsl_token_line(const GlslTokens *tokens, int i) {
     const char *end = tokens->text + tokens->list[i].at;
     int line = 1, file;
     for (const char *at = tokens->text; at + strcspn(at, "\n") < end; at += strcspn(at, "\n") + 1) {
-        if (strncmp(at, "#line ", 6) != 0 || sscanf(at, "#line %d %d", &line, &file) != 2) line++;
+        if (!glsl_line_read(at, &line, &file)) line++;
     }
     return line;
 }
 
-static bool same(const GlslTokens *tokens, int i, int other) {
-    const GlslToken *a = &tokens->list[i], *b = &tokens->list[other];
-    return a->size == b->size && memcmp(tokens->text + a->at, tokens->text + b->at, a->size) == 0;
-}
-
-bool glsl_token_is_member(const GlslTokens *tokens, int word) {
-    for (int i = 0; i < tokens->count; i++) {
+void glsl_token_members(const GlslTokens *tokens, Names *members) {
+    for (int i = 0, end = 0; i < tokens->count; i++) {
         int open = i + (glsl_token_is(tokens, i + 1, "{") ? 1 : 2);
-        if (!glsl_token_is(tokens, i, "struct") || !glsl_token_is(tokens, open, "{")) continue;
-        int end = glsl_token_skip(tokens, open);
-        for (int k = open; k < end; k++) {
-            if (same(tokens, k, word)) return true;
+        if (glsl_token_is(tokens, i, "struct") && glsl_token_is(tokens, open, "{")) {
+            int behind = glsl_token_skip(tokens, open);
+            if (behind > end) end = behind;
         }
+        const GlslToken *token = &tokens->list[i];
+        if (i < end && token->kind == GLSL_WORD) names_add(members, tokens->text + token->at, token->size);
     }
-    return false;
 }

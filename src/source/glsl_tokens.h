@@ -1,6 +1,7 @@
 /* The tokens of a flattened GLSL text, with their places: comments are none, and directives are marked. */
 #pragma once
 
+#include "base/names.h"
 #include "source/glsl_source.h"
 
 typedef enum GlslTokenKind { GLSL_WORD, GLSL_NUMBER, GLSL_SIGN } GlslTokenKind;
@@ -13,6 +14,10 @@ typedef struct GlslToken {
     int file;
     /* 0 in code. Tokens of the same directive, such as `#define`, have the same number. */
     int directive;
+    /* Of a bracket that opens: the token behind the one that closes it, or the list's count. */
+    int behind;
+    /* What glsl_token_semicolon() found from here, from 1; 0 where it was not asked. */
+    int semicolon;
 } GlslToken;
 
 typedef struct GlslTokens {
@@ -40,12 +45,15 @@ int glsl_token_next(const GlslTokens *tokens, int i);
 /* The token behind the bracket that closes the one at `i`, or `count`. Brackets of all kinds nest. */
 int glsl_token_skip(const GlslTokens *tokens, int i);
 
-/* The first token of the same directive, or of the code, from `i` on that is this sign outside of brackets. A
- * closing bracket ends the search. `count` where there is none. */
-int glsl_token_find(const GlslTokens *tokens, int i, const char *sign);
+/* The first token of the same directive, or of the code, from `i` on that is a semicolon outside of brackets.
+ * A closing bracket ends the search. `count` where there is none. */
+int glsl_token_semicolon(const GlslTokens *tokens, int i);
+
+/* The same for a comma before token `end`, which is given where there is none. */
+int glsl_token_comma(const GlslTokens *tokens, int i, int end);
 
 /* The line of its file on which the token stands. */
 int glsl_token_line(const GlslTokens *tokens, int i);
 
-/* Whether the word of that token stands anywhere among the members of a structure. */
-bool glsl_token_is_member(const GlslTokens *tokens, int word);
+/* Adds every word that stands among the members of a structure. */
+void glsl_token_members(const GlslTokens *tokens, Names *members);

@@ -11,25 +11,23 @@ static const char *const language[] = {
     "mat2x3", "mat2x4", "mat3x2", "mat3x3", "mat3x4", "mat4x2", "mat4x3", "mat4x4", NULL};
 
 static int find(const GlslTypes *types, const GlslTokens *tokens, int i) {
-    for (int k = 0; k < types->count; k++) {
-        if (glsl_token_is(tokens, i, types->names[k])) return k;
-    }
-    return -1;
+    if (i < 0 || i >= tokens->count) return -1;
+    const GlslToken *token = &tokens->list[i];
+    return names_find(&types->names, tokens->text + token->at, token->size);
 }
 
 void glsl_types_add(GlslTypes *types, const GlslTokens *tokens, int name, bool by_function) {
     const GlslToken *token = &tokens->list[name];
-    size_t count = (size_t)types->count + 1;
-    types->names = memory_grow(types->names, count, sizeof *types->names);
-    types->by_function = memory_grow(types->by_function, count, sizeof *types->by_function);
-    types->names[count - 1] = strndup(tokens->text + token->at, token->size);
-    types->by_function[count - 1] = by_function;
-    types->count++;
+    int before = types->names.count, number = names_add(&types->names, tokens->text + token->at, token->size);
+    /* The first of two of the same name stays. */
+    if (number < before) return;
+    types->by_function =
+        memory_grow(types->by_function, (size_t)types->names.count, sizeof *types->by_function);
+    types->by_function[number] = by_function;
 }
 
 void glsl_types_free(GlslTypes *types) {
-    for (int i = 0; i < types->count; i++) free(types->names[i]);
-    free(types->names);
+    names_free(&types->names);
     free(types->by_function);
     *types = (GlslTypes){0};
 }

@@ -2,14 +2,14 @@
  * that stand for one of these. */
 #pragma once
 
+#include "base/names.h"
 #include "source/glsl_tokens.h"
 
 typedef struct GlslTypes {
-    /* Of structures and macros; owned. */
-    char **names;
+    /* Of structures and macros. */
+    Names names;
     /* Whether a function shadertoy_zero_NAME() gives a structure's zero; else NAME(0) does. */
     bool *by_function;
-    int count;
 } GlslTypes;
 
 /* A zeroed list knows the types of the language. */

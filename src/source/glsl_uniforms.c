@@ -1,6 +1,7 @@
 #include "source/glsl_uniforms.h"
 
 #include "base/memory.h"
+#include "source/glsl_line.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -37,19 +38,19 @@ static const char *take_word(const char *at, char *word, size_t size) {
     return at + length;
 }
 
-/* Where a line begins, by the #line in front of it. */
+/* How far lines have been counted, from the last #line on. */
 typedef struct Place {
     const char *at;
     int file, line;
 } Place;
 
-static GlslUniform *add(GlslUniforms *uniforms, const char *type, const char *name, const Place *place,
+static GlslUniform *add(GlslUniforms *uniforms, const char *type, const char *name, Place *place,
                         const char *at) {
     GlslUniform *uniform;
     uniforms->items = memory_grow(uniforms->items, (size_t)uniforms->count + 1, sizeof *uniforms->items);
     uniform = &uniforms->items[uniforms->count++];
+    for (; place->at < at; place->at++) place->line += *place->at == '\n';
     *uniform = (GlslUniform){.file = place->file, .line = place->line};
-    for (const char *c = place->at; c < at; c++) uniform->line += *c == '\n';
     snprintf(uniform->type, sizeof uniform->type, "%s", type);
     snprintf(uniform->name, sizeof uniform->name, "%s", name);
     return uniform;
@@ -67,7 +68,7 @@ static bool is_precision(const char *word) {
 }
 
 /* `at` stands behind the word `uniform`. Returns what follows the declaration's names. */
-static const char *take_declaration(const char *at, const Place *place, GlslUniforms *uniforms) {
+static const char *take_declaration(const char *at, Place *place, GlslUniforms *uniforms) {
     char type[32], name[64];
     do at = take_word(skip_blanks(at), type, sizeof type);
     while (is_precision(type));
@@ -95,7 +96,7 @@ GlslUniforms glsl_uniforms(const char *text) {
         line_start = line_start || memchr(at, '\n', (size_t)(next - at)) != NULL;
         at = next;
         if (!*at) break;
-        if (line_start && sscanf(at, "#line %d %d", &place.line, &place.file) == 2) {
+        if (line_start && glsl_line_read(at, &place.line, &place.file)) {
             at += strcspn(at, "\n");
             place.at = *at ? at + 1 : at;
             continue;

@@ -17,6 +17,8 @@ typedef struct Depth {
 typedef struct Zero {
     GlslTokens tokens;
     GlslTypes types;
+    /* Words among the members of structures. */
+    Names members;
     TextEdits edits;
     /* Sets arrays outside of functions. */
     Text start;
@@ -73,8 +75,7 @@ static int read_names(Zero *zero, int type, bool array_type, int name) {
         at = next(zero, at);
         if (is(zero, at, "[")) array = true, at = glsl_token_skip(tokens, at);
         if (is(zero, at, "=")) {
-            int comma = glsl_token_find(tokens, at, ","), end = glsl_token_find(tokens, at, ";");
-            at = comma < end ? comma : end;
+            at = glsl_token_comma(tokens, at, glsl_token_semicolon(tokens, at));
             if (at == tokens->count) at = next(zero, own);
         } else if (!is(zero, at, ",") && !is(zero, at, ";")) {
             break;
@@ -124,7 +125,7 @@ static bool set_members(Zero *zero, int open, int close, Text *words) {
     const GlslTokens *tokens = &zero->tokens;
     for (int i = next(zero, open); i < close;) {
         if (glsl_token_among(tokens, i, precisions)) i = next(zero, i);
-        int type = i, end = glsl_token_find(tokens, i, ";");
+        int type = i, end = glsl_token_semicolon(tokens, i);
         if (!glsl_types_has(&zero->types, tokens, type) || end > close) return false;
         i = next(zero, i);
         bool array_type = is(zero, i, "[");
@@ -156,7 +157,7 @@ static int read_structure(Zero *zero, int i) {
     const GlslTokens *tokens = &zero->tokens;
     int name = next(zero, i), open = glsl_token_is_word(tokens, name) ? next(zero, name) : name;
     if (!is(zero, open, "{")) return open;
-    int behind_close = glsl_token_skip(tokens, open), end = glsl_token_find(tokens, behind_close, ";");
+    int behind_close = glsl_token_skip(tokens, open), end = glsl_token_semicolon(tokens, behind_close);
     Text words = {0};
     bool whole = open > name && !zero->depth.braces && end < tokens->count &&
                  set_members(zero, open, behind_close - 1, &words);
@@ -196,12 +197,17 @@ static int read_code(Zero *zero, int i) {
     const GlslTokens *tokens = &zero->tokens;
     if (is(zero, i, "struct")) return read_structure(zero, i);
     if (glsl_token_among(tokens, i, qualifiers)) {
-        int end = glsl_token_find(tokens, i, ";");
+        int end = glsl_token_semicolon(tokens, i);
         return end < tokens->count ? end : next(zero, i);
     }
     if (is(zero, i, "void") || glsl_types_has(&zero->types, tokens, i)) return read_typed(zero, i);
     count_brackets(zero, i);
     return next(zero, i);
+}
+
+static bool is_member(const Zero *zero, int i) {
+    const GlslToken *token = &zero->tokens.list[i];
+    return names_find(&zero->members, zero->tokens.text + token->at, token->size) >= 0;
 }
 
 /* `#define NAME TYPE` makes a type. Declarations in other macros are set as in a function. `i` is at
@@ -210,7 +216,7 @@ static void read_macro(Zero *zero, int i) {
     const GlslTokens *tokens = &zero->tokens;
     int name = next(zero, i), body = name < tokens->count ? next(zero, name) : name;
     Depth outside = zero->depth;
-    if (body == tokens->count || glsl_token_is_member(&zero->tokens, name)) return;
+    if (body == tokens->count || is_member(zero, name)) return;
     bool takes = is(zero, body, "(") && tokens->list[body].at == behind(zero, name);
     if (takes) body = glsl_token_skip(tokens, body);
     if (body == tokens->count) return;
@@ -279,11 +285,13 @@ static void put_start(Zero *zero, const char *function) {
 
 void glsl_zero(GlslSource *source, const char *library, const char *function) {
     Zero zero = {.tokens = glsl_tokens(text_string(&source->text))};
+    glsl_token_members(&zero.tokens, &zero.members);
     read_all(&zero, source, library);
     put_start(&zero, function);
     Text text = text_edits_apply(&zero.edits, text_string(&source->text));
     glsl_tokens_free(&zero.tokens);
     glsl_types_free(&zero.types);
+    names_free(&zero.members);
     text_free(&zero.start);
     free(zero.conditions);
     text_free(&source->text);

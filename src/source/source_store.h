@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/text.h"
+#include "source/source_folders.h"
 
 #include <sys/types.h>
 
@@ -20,9 +21,26 @@ typedef struct SourceShadow {
     char *name, *path;
 } SourceShadow;
 
+/* What is read for one scene. */
+enum {
+    /* The bytes of a GLSL file, and of all of them with the library's. */
+    SOURCE_FILE_MOST = 1 << 20,
+    SOURCE_TEXTS_MOST = 4 << 20,
+    SOURCE_FILES_MOST = 2000,
+    /* The bytes of a table, such as one of spheres. */
+    SOURCE_TABLE_MOST = 64 << 20
+};
+
 typedef struct SourceStore {
     /* Of the GLSL library. */
     char *folder;
+    /* The library, and the folders of the files that the host chose. */
+    SourceFolders folders;
+    /* The paths of the files that the host chose, which may lie anywhere. */
+    char **chosen;
+    int chosen_count;
+    /* The bytes of all texts but tables. */
+    size_t size;
     SourceFile **files;
     int file_count;
     SourceShadow *shadows;
@@ -40,10 +58,19 @@ SourceStore *source_store_share(SourceStore *store);
 /* The last one frees the store. NULL is allowed. */
 void source_store_release(SourceStore *store);
 
+/* Says that the host chose the file of this path, and not a scene. It may lie anywhere, and the files of its
+ * folder may be read, with all below. */
+void source_store_choose(SourceStore *store, const char *path);
+
 /* The file, which the store owns and opens where this is the first time that it is asked for. STATUS_SCENE
- * for what cannot be read or is no text. */
+ * for what is no regular file, cannot be read, is too large, or is no text, and for files that lie outside of
+ * the library and of the folders of what the host chose. */
 MUST_CHECK bool source_store_read(SourceStore *store, const char *path, const SourceFile **file,
                                   Error *error);
+
+/* The same for a file that is no GLSL and may be larger. */
+MUST_CHECK bool source_store_read_table(SourceStore *store, const char *path, const SourceFile **file,
+                                        Error *error);
 
 /* Notes that the user's file at `path` stands in for the library's `name`, such as "material/mirror.glsl",
  * unless another does already. Returns the path of the one that does. */

@@ -1,6 +1,7 @@
 #include "view/remember.h"
 
 #include "base/file.h"
+#include "base/memory.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +27,7 @@ bool remember_exists(const char *path) {
 }
 
 void remember_write(const char *path, const char *text) {
-    char *folder = strdup(path);
+    char *folder = memory_string(path);
     for (char *slash = strchr(folder + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
         *slash = 0;
         mkdir(folder, 0700);

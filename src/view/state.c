@@ -1,6 +1,7 @@
 #include "view/state.h"
 
 #include "base/clock.h"
+#include "base/memory.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -57,7 +58,7 @@ void view_turn_sun(ViewState *state, int side, double elevation_deg, double azim
 
 void view_open(ViewState *state, const char *path) {
     free(state->wishes.open);
-    state->wishes.open = strdup(path);
+    state->wishes.open = memory_string(path);
 }
 
 void view_set_exposure(ViewState *state, double exposure_ev) {

@@ -35,7 +35,7 @@ static bool refresh(Stamp *stamp, const char *path) {
 
 static char *folder_of(const char *path) {
     const char *slash = strrchr(path, '/');
-    return slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+    return slash ? memory_string_part(path, (size_t)(slash - path) + 1) : memory_string(".");
 }
 
 void watch_add_file(Watch *watch, const char *path) {
@@ -44,7 +44,7 @@ void watch_add_file(Watch *watch, const char *path) {
     }
     watch->files = memory_grow(watch->files, (size_t)watch->count + 1, sizeof *watch->files);
     watch->files[watch->count++] =
-        (WatchedFile){.path = strdup(path), .folder = folder_of(path), .stamp = stamp_of(path)};
+        (WatchedFile){.path = memory_string(path), .folder = folder_of(path), .stamp = stamp_of(path)};
 }
 
 static void add_folder(Watch *watch, const char *folder, int depth) {

@@ -65,7 +65,7 @@ static void on_drop(GLFWwindow *handle, int count, const char **paths) {
     Window *window = window_of(handle);
     if (count < 1) return;
     free(window->dropped);
-    window->dropped = strdup(paths[0]);
+    window->dropped = memory_string(paths[0]);
     push(window, (WindowEvent){.kind = WINDOW_DROP});
 }
 
