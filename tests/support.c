@@ -106,6 +106,8 @@ SourceStore *support_sources(void) {
 bool support_flatten(GlslSource *source, const char *library, const char *entry, const GlslSlot *slots,
                      Error *error) {
     SourceStore *store = source_store_create(library);
+    /* The tests have shaders of their own. */
+    source_folders_add(&store->folders, ".");
     bool ok = glsl_source_create(source, store, entry, slots, error);
     source_store_release(store);
     return ok;

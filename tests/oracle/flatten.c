@@ -53,6 +53,7 @@ int main(int count, char **arguments) {
     snprintf(name, sizeof name, "%s", slash ? slash + 1 : arguments[1]);
     name[strcspn(name, ".")] = 0;
     SourceStore *store = source_store_create("glsl");
+    source_folders_add(&store->folders, ".");
     bool ok = glsl_source_create(&source, store, arguments[1], NULL, &error);
     if (ok) {
         make_cpp(&cpp, &source, name);
