@@ -1,3 +1,4 @@
+#include "base/descriptor.h"
 #include "base/version.h"
 #include "cmd/cmd.h"
 #include "cmd/complete.h"
@@ -9,6 +10,7 @@
 #include "cmd/terminal.h"
 
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -80,6 +82,9 @@ int main(int argc, char **argv) {
     Options options;
     Error error = {0};
     Status status;
+    descriptor_fill_standard();
+    /* A file that may grow no more is an error of writing. */
+    signal(SIGXFSZ, SIG_IGN);
     if (argc > 2 && strcmp(argv[1], COMPLETE_WORD) == 0) return complete(argc - 2, argv + 2);
     if (!options_parse(&options, argc, argv, &error)) {
         status = error.status;

@@ -35,6 +35,14 @@ bool descriptor_is_output(const char *path) {
     return descriptor_of(path) == output;
 }
 
+void descriptor_fill_standard(void) {
+    for (int number = STDIN_FILENO; number <= STDERR_FILENO; number++) {
+        if (fcntl(number, F_GETFD) >= 0 || errno != EBADF) continue;
+        /* The lowest number that is free is this one. */
+        (void)!open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+}
+
 bool descriptor_reserve_output(Error *error) {
     if (output != STDOUT_FILENO) return true;
     fflush(stdout);

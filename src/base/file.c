@@ -3,6 +3,7 @@
 #include "base/descriptor.h"
 #include "base/memory.h"
 #include "base/regular.h"
+#include "base/temporary.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -84,13 +85,6 @@ static bool output_error(const char *path, int number, Error *error) {
                      strcmp(path, "-") == 0 ? "standard output" : path, strerror(number));
 }
 
-/* The folder that holds `path`, to be freed. */
-static char *folder_of(const char *path) {
-    const char *slash = strrchr(path, '/');
-    if (!slash) return memory_string(".");
-    return slash == path ? memory_string("/") : memory_string_part(path, (size_t)(slash - path));
-}
-
 /* Whether an open file takes what is written. */
 static bool check_descriptor(int descriptor, const char *path, Error *error) {
     int flags = fcntl(descriptor, F_GETFL);
@@ -110,7 +104,7 @@ bool file_check_target(const char *path, Error *error) {
         return output_error(path, errno, error);
     }
     char *resolved = realpath(path, NULL);
-    char *folder = folder_of(resolved ? resolved : path);
+    char *folder = temporary_folder(resolved ? resolved : path);
     int failed = access(folder, W_OK | X_OK) == 0 ? 0 : errno;
     free(resolved);
     free(folder);
@@ -147,20 +141,17 @@ static mode_t target_mode(const char *target) {
 }
 
 static int write_and_rename(const char *target, const void *data, size_t size) {
-    /* Not the target's name and more: that may be as long as names can be. */
-    char *folder = folder_of(target), *temporary = memory_get(strlen(folder) + 32, 1);
-    sprintf(temporary, "%s/.magichour.XXXXXX", folder);
-    free(folder);
-    int descriptor = mkstemp(temporary);
-    int failed = descriptor < 0 ? errno : 0;
-    if (!failed) {
-        failed = write_all(descriptor, data, size);
-        if (!failed && fchmod(descriptor, target_mode(target)) != 0) failed = errno;
-        if (!failed && fsync(descriptor) != 0) failed = errno;
-        if (close(descriptor) != 0 && !failed) failed = errno;
-        if (!failed && rename(temporary, target) != 0) failed = errno;
-        if (failed) unlink(temporary);
-    }
+    char *temporary;
+    temporary_sweep(target);
+    int descriptor = temporary_make(target, &temporary);
+    if (descriptor < 0) return errno;
+    int failed = write_all(descriptor, data, size);
+    if (!failed && fchmod(descriptor, target_mode(target)) != 0) failed = errno;
+    if (!failed && fsync(descriptor) != 0) failed = errno;
+    /* Renamed while it is locked: else a sweep could take it for one that was left. */
+    if (!failed && rename(temporary, target) != 0) failed = errno;
+    if (failed) unlink(temporary);
+    close(descriptor);
     free(temporary);
     return failed;
 }
@@ -172,7 +163,7 @@ static char *link_target(const char *path) {
     ssize_t length = resolved ? -1 : readlink(path, link, sizeof link - 1);
     if (length <= 0) return resolved;
     link[length] = 0;
-    char *folder = folder_of(path);
+    char *folder = temporary_folder(path);
     char *target = memory_get(strlen(folder) + (size_t)length + 2, 1);
     sprintf(target, "%s%s%s", *link == '/' ? "" : folder, *link == '/' ? "" : "/", link);
     free(folder);

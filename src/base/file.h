@@ -27,9 +27,10 @@ MUST_CHECK bool file_read_open(int descriptor, const char *path, const FileBound
 MUST_CHECK bool file_read_input(const FileBounds *bounds, Text *text, Error *error);
 
 /* Replaces the file at `path` by `size` bytes, at once or not at all. The bytes go into a temporary file
- * beside the target, which is renamed when it is complete. A symbolic link stays a link. A target that is no
- * regular file (a device, a pipe) is written in place, and what is open already (base/descriptor.h) goes on
- * where it is. Fails with STATUS_OUTPUT. */
+ * beside the target, which is renamed when it is complete; what killed processes left there for the same
+ * target is removed (base/temporary.h). A symbolic link stays a link. A target that is no regular file (a
+ * device, a pipe) is written in place, and what is open already (base/descriptor.h) goes on where it is.
+ * Fails with STATUS_OUTPUT. */
 MUST_CHECK bool file_replace(const char *path, const void *data, size_t size, Error *error);
 
 /* Checks whether file_replace() could work, without touching anything. A mistyped folder is then found before

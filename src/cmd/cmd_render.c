@@ -235,14 +235,10 @@ static bool render(RenderJob *job, Error *error) {
 static bool write_outputs(const RenderJob *job, int argc, char **argv, Error *error) {
     const Options *options = job->options;
     AttributeList attributes = {0};
-    bool ok = true;
     render_describe(job, argc, argv, &attributes);
     ImageWriteParams params = {
         .exposure_ev = job->scene.values.exposure_ev, .tone = tone_of(options), .attributes = &attributes};
-    for (int i = 0; ok && i < options->output_count; i++) {
-        params.format = outputs_format(options, i);
-        ok = image_write(&job->image, options->outputs[i], &params, error);
-    }
+    bool ok = outputs_write(options, &job->image, &params, error);
     attribute_list_free(&attributes);
     return ok;
 }

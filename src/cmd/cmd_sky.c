@@ -67,11 +67,7 @@ static bool write_map(const SkyJob *job, const Image *image, int argc, char **ar
                                .tone = none ? TONE_NONE : TONE_AUTHOR,
                                .latlong = true,
                                .attributes = &list};
-    bool ok = true;
-    for (int i = 0; ok && i < job->options->output_count; i++) {
-        params.format = outputs_format(job->options, i);
-        ok = image_write(image, job->options->outputs[i], &params, error);
-    }
+    bool ok = outputs_write(job->options, image, &params, error);
     attribute_list_free(&list);
     text_free(&command);
     return ok;

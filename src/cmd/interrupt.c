@@ -35,6 +35,8 @@ void interrupt_install(void) {
     sigemptyset(&action.sa_mask);
     for (int i = 0; i < 3; i++) sigaddset(&action.sa_mask, signals[i]);
     for (int i = 0; i < 3; i++) sigaction(signals[i], &action, NULL);
+    /* Nobody reads the progress any more: that must not lose the picture. */
+    signal(SIGPIPE, SIG_IGN);
 }
 
 void interrupt_keep(void) {

@@ -4,6 +4,8 @@
 
 #include "base/error.h"
 
+/* A pipe that nobody reads any more, such as that of the progress, is an error of writing from then on, and
+ * does not end the program. */
 void interrupt_install(void);
 
 /* From now on there is something to save. */

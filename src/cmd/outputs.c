@@ -32,6 +32,19 @@ bool outputs_check(const Options *options, Error *error) {
     return reserve_output(options, error);
 }
 
+bool outputs_write(const Options *options, const Image *image, const ImageWriteParams *params, Error *error) {
+    ImageWriteParams own = *params;
+    bool ok = true;
+    for (int i = 0; i < options->output_count; i++) {
+        Error failed = {0};
+        own.format = outputs_format(options, i);
+        if (image_write(image, options->outputs[i], &own, &failed)) continue;
+        if (ok) *error = failed;
+        ok = false;
+    }
+    return ok;
+}
+
 bool outputs_check_text(const Options *options, Error *error) {
     for (int i = 0; i < options->output_count; i++) {
         if (!file_check_target(options->outputs[i], error)) return false;

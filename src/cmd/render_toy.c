@@ -81,16 +81,12 @@ static void make_image(RenderJob *job, const Toy *toy, const double *sums) {
 static bool write_outputs(const RenderJob *job, int argc, char **argv, Error *error) {
     AttributeList attributes = {0};
     Text command = {0};
-    bool ok = true;
     text_print_command(&command, argc, argv);
     attribute_add(&attributes, "magichour.version", "%s", MAGICHOUR_VERSION);
     attribute_add(&attributes, "magichour.command", "%s", text_string(&command));
     attribute_add(&attributes, "magichour.samples", "%.6g", job->figures.samples);
     ImageWriteParams params = {.tone = TONE_SCREEN, .attributes = &attributes};
-    for (int i = 0; ok && i < job->options->output_count; i++) {
-        params.format = outputs_format(job->options, i);
-        ok = image_write(&job->image, job->options->outputs[i], &params, error);
-    }
+    bool ok = outputs_write(job->options, &job->image, &params, error);
     attribute_list_free(&attributes);
     text_free(&command);
     return ok;
