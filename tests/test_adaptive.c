@@ -290,10 +290,40 @@ static void test_stopped(void **state) {
     bench_close(&bench);
 }
 
+/* Where no tile is worth a doubling, or none may have one, the rounds say that they lead nowhere. */
+static void test_ends(void **state) {
+    (void)state;
+    Bench bench;
+    Error error;
+    bench_open(&bench, "sobol", 32, 0);
+    Adaptive adaptive = adaptive_create(&bench.renderer, NOISE_RADIANCE, NULL);
+    for (int i = 0; i < 5; i++) assert_true(adaptive_round(&adaptive, &bench.renderer, 0.5, NULL, &error));
+    assert_int_equal(adaptive_end(&adaptive), ADAPTIVE_GOES_ON);
+    uint64_t paths = adaptive.paths;
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(adaptive_end(&adaptive), ADAPTIVE_GOES_ON);
+        /* A target that is reached already plans nothing. */
+        assert_true(adaptive_round(&adaptive, &bench.renderer, 1e4, NULL, &error));
+    }
+    assert_int_equal(adaptive_end(&adaptive), ADAPTIVE_AIMLESS);
+    assert_true(adaptive.paths > paths);
+    for (int i = 0; i < adaptive.noise.columns * adaptive.noise.rows; i++)
+        adaptive.noise.tiles[i].samples = (uint64_t)1 << 23;
+    paths = adaptive.paths;
+    /* A round that is stopped adds nothing either, but that is no end. */
+    assert_true(adaptive_round(&adaptive, &bench.renderer, 0.5, yes, &error));
+    assert_int_not_equal(adaptive_end(&adaptive), ADAPTIVE_FULL);
+    assert_true(adaptive_round(&adaptive, &bench.renderer, 0.5, NULL, &error));
+    assert_int_equal(adaptive_end(&adaptive), ADAPTIVE_FULL);
+    assert_true(adaptive.paths == paths);
+    adaptive_destroy(&adaptive);
+    bench_close(&bench);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_estimate), cmocka_unit_test(test_left_out), cmocka_unit_test(test_levels),
-        cmocka_unit_test(test_adaptive), cmocka_unit_test(test_stopped),
+        cmocka_unit_test(test_adaptive), cmocka_unit_test(test_stopped),  cmocka_unit_test(test_ends),
     };
     return cmocka_run_group_tests_name("adaptive", tests, support_folder, support_clean);
 }

@@ -24,7 +24,6 @@ vec2 chain_kept(uint dimension) {
 #include <sun>
 #include <emission>
 #include <light>
-#include "math/finite.glsl"
 #include "pass/camera.glsl"
 #include "pass/light_point.glsl"
 #include <loops>
@@ -60,7 +59,8 @@ void main() {
     vec2 pixel = floor(chain_place(first));
     vec3 radiance = path_radiance(camera_ray(pixel, chain_place(first) - pixel), max_hits, sequence);
     float brightness = chain_brightness(radiance);
-    bool counts = is_finite(vec3(brightness)) && !loops_ended();
+    // What is brighter would make sums too large for a float: that of the candidates, or that of a pixel in one step.
+    bool counts = brightness < 1.0e38 / (float(chain_candidates) * picture_size.x * picture_size.y) && !loops_ended();
     radiance = counts ? radiance : vec3(0.0);
     brightness = counts ? brightness : 0.0;
 
@@ -68,7 +68,9 @@ void main() {
     float probability = starts ? chain_choice(before.a, brightness) : chain_acceptance(chain_brightness(vec3(before)), brightness);
     bool taken = step.threshold < probability;
     float weight = starts ? 0.0 : chain_age == chain_candidates ? chain_mean : before.a;
-    chain_point_new = chain_point(first, radiance, weight * probability);
+    // The host counts points that are no numbers as rejected.
+    chain_point_new = counts ? chain_point(first, radiance, weight * probability)
+                             : vec4(vec3(uintBitsToFloat(0x7fc00000u)), light_point_pixel(chain_place(first)));
     chain_point_old = chain_point(chain_kept(0u), vec3(before), weight * (1.0 - probability));
     chain_light_next = vec4(taken ? radiance : vec3(before), starts ? before.a + brightness : weight);
     chain_tail_next = vec4(taken ? vec2(float(sequence.tail.x), float(sequence.tail.y)) : vec2(tail.x, tail.y), taken ? 1.0 : 0.0, 0.0);

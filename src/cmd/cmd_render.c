@@ -120,10 +120,12 @@ static double noise_left(double error, double bias) {
 static bool enough(const RenderJob *job) {
     const ProgressFigures *figures = &job->figures;
     if (figures->target_samples && figures->samples >= (double)figures->target_samples) return true;
-    if (figures->target.amount > 0 && (figures->noise[figures->target.measure] <= figures->target_noise ||
-                                       adaptive_is_hopeless(&job->adaptive))) {
+    AdaptiveEnd end = adaptive_end(&job->adaptive);
+    /* Where the time alone is limited, it ends before its time only if nothing can be added any more. */
+    if (figures->target.amount > 0
+            ? figures->noise[figures->target.measure] <= figures->target_noise || end != ADAPTIVE_GOES_ON
+            : end == ADAPTIVE_FULL)
         return true;
-    }
     return figures->target_seconds > 0 && figures->seconds >= figures->target_seconds;
 }
 
@@ -195,6 +197,7 @@ static bool finish(RenderJob *job, Error *error) {
     /* There are fewer than samples x pixels if it was stopped early. */
     figures->paths = job->count.accepted + job->count.rejected;
     figures->rejected = job->count.rejected;
+    figures->light_rejected = job->count.light_rejected;
     figures->sun_by_chance = job->renderer.sun_by_chance || chance_matters(&job->chance);
     figures->chance = job->chance;
     figures->search_rays = job->search.rays;

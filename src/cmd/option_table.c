@@ -140,8 +140,10 @@ const OptionRow option_table[] = {
 
     {GROUP_ACCURACY, "--error", "PERCENT|Nlevels", R, TAKE(take_error),
      "stop when the estimated relRMSE is this (1), or the RMS in 8-bit levels of the picture as it is shown, "
-     "with twice that in the worst 16x16 tile (2levels); 1 by default, unless --spp or --time is given. Exit "
-     "status 7 if it cannot be promised",
+     "with twice that in the worst 16x16 tile (2levels); 1 by default, unless --spp or --time is given. It "
+     "is "
+     "given up where it would take more than 2^20 samples of a pixel on average, or where 2^20 paths find no "
+     "light. Exit status 7 if it cannot be promised",
      NULL},
     {GROUP_ACCURACY, "--error", "PERCENT|Nlevels", H, TAKE(take_error),
      "the error at which auto's choice is marked; 1 by default. With levels, the chart of paths is in levels",
@@ -152,7 +154,8 @@ const OptionRow option_table[] = {
      "stop after this time, with whole groups of samples", NULL},
     {GROUP_ACCURACY, "--time", "SECONDS", H, TAKE(take_seconds),
      "measure for about this time, without compilation; 150 by default", NULL},
-    {GROUP_ACCURACY, "--spp", "N", R, TAKE(take_samples), "take this many samples of every pixel", NULL},
+    {GROUP_ACCURACY, "--spp", "N", R, TAKE(take_samples), "take this many samples of every pixel, up to 2^24",
+     NULL},
     {GROUP_ACCURACY, "--spp", "N", V, TAKE(take_samples),
      "samples per pixel, after which the picture rests; a million by default", NULL},
     {GROUP_ACCURACY, "--seed", "N", R | V, TAKE(take_seed), "the seed of all random numbers; 0 by default",

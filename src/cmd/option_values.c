@@ -98,7 +98,8 @@ static bool take_count(const char *name, const char *value, unsigned long long m
 }
 
 bool take_samples(Options *options, const char *name, const char *value, Error *error) {
-    return take_count(name, value, 1, 4294967295ULL, &options->samples, error);
+    /* A film counts up to 2^24. */
+    return take_count(name, value, 1, 1ULL << 24, &options->samples, error);
 }
 
 bool take_seed(Options *options, const char *name, const char *value, Error *error) {

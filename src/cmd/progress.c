@@ -110,6 +110,7 @@ static void report_json(const ProgressFigures *figures) {
     report_errors(&json, figures);
     if (figures->done) {
         json_count(&json, "rejected", figures->rejected);
+        if (figures->light_rejected) json_count(&json, "light_rejected", figures->light_rejected);
         json_flag(&json, "interrupted", figures->interrupted);
         if (figures->sun_by_chance) json_flag(&json, "sun_by_chance", true);
         if (figures->chance.paths > 0) {

@@ -36,7 +36,8 @@ typedef struct ProgressFigures {
     /* The target is 0 if something else limits the picture. */
     double seconds, target_seconds;
     double startup_seconds;
-    uint64_t rejected;
+    /* Samples, and points of light of paths from the sun or of Markov chains, that were left out. */
+    uint64_t rejected, light_rejected;
     /* All are 0 if the scene does not search. */
     double search_rays, search_steps, search_broken, search_cut;
     bool done, interrupted;

@@ -125,6 +125,23 @@ static void warn_check(const RenderJob *job) {
     text_free(&lines);
 }
 
+static void warn_rejected(const RenderJob *job) {
+    const FilmCount *count = &job->count;
+    if (count->rejected) {
+        fprintf(stderr,
+                "magichour: warning: %" PRIu64 " of %" PRIu64
+                " samples were not finite, or too large to be summed%s, and are left out\n",
+                count->rejected, count->accepted + count->rejected,
+                job->search.rays > 0 ? ", or took more loops than the driver allows" : "");
+    }
+    if (count->light_rejected) {
+        fprintf(stderr,
+                "magichour: warning: %" PRIu64 " of %" PRIu64
+                " points of light were not finite, or too large to be summed, and are left out\n",
+                count->light_rejected, count->light);
+    }
+}
+
 void render_warn(const RenderJob *job) {
     program_say_warnings(&job->renderer.program, stderr);
     if (job->options->further && !(job->scene.values.atmosphere.orders > 1))
@@ -132,19 +149,19 @@ void render_warn(const RenderJob *job) {
                 "magichour: warning: --further has no effect: the air has the first order alone (--orders "
                 "says how many it has)\n");
     warn_promise(job);
+    if (!job->figures.promise && adaptive_end(&job->adaptive) == ADAPTIVE_FULL)
+        fprintf(stderr,
+                "magichour: warning: it ended before its time: the pixels have as many samples as are "
+                "counted, 2^23\n");
     warn_check(job);
     if (job->variance_unknown) {
-        fprintf(stderr,
-                "magichour: warning: --aov variance is not known from %u samples or fewer: there it is NaN\n",
-                job->renderer.plan.group_samples);
+        fprintf(
+            stderr,
+            "magichour: warning: --aov variance is not known from %u samples or fewer, or where it is too "
+            "large for a float: there it is NaN\n",
+            job->renderer.plan.group_samples);
     }
-    if (job->figures.rejected) {
-        fprintf(stderr,
-                "magichour: warning: %" PRIu64 " of %" PRIu64
-                " samples were not finite, or too large to be summed%s, and are left out\n",
-                job->figures.rejected, job->figures.paths,
-                job->search.rays > 0 ? ", or took more loops than the driver allows" : "");
-    }
+    warn_rejected(job);
     warn_chance(job);
     warn_search(job);
 }

@@ -15,6 +15,8 @@ enum {
     EVEN_SAMPLES = 8,
     /* A plan made from fewer samples of a pixel, on average, is no reason to give up. */
     JUDGED_SAMPLES = 256,
+    /* A round without a plan may be due to roundings. So many in turn are not. */
+    AIMLESS_ROUNDS = 3,
     /* With evenly spread samples, the noise is not measured before this part of them (an eighth) is taken. */
     MEASURED_SHARE = 8
 };
@@ -155,6 +157,7 @@ static void set_samples(Adaptive *adaptive, const Film *film) {
 static bool sample_evenly(Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), Error *error) {
     Film *film = &renderer->film;
     uint64_t before = film->samples, wanted = before ? before : FIRST_SAMPLES;
+    if (before + wanted > TILE_MOST_SAMPLES) wanted = 0;
     while (film->samples - before < wanted && !(stop && stop() && film->samples)) {
         if (film->samples && clock_seconds() >= adaptive->deadline) break;
         if (!renderer_pass(renderer, wanted - (film->samples - before), stop, error)) return false;
@@ -180,6 +183,7 @@ static bool measure(Adaptive *adaptive, const Renderer *renderer, Error *error) 
     adaptive->claimed = evidence_suffices(&renderer->plan, adaptive->most, adaptive->paths);
     if (!evidence_is_there(&renderer->plan)) return true;
     if (!film_read(&renderer->film, &mean, &count, error)) return false;
+    adaptive->rejected = film_rejected_share(&count);
     bool ok = chance_map_read(&map, &renderer->film, error);
     if (ok) {
         adaptive->evidence = evidence_gather(&adaptive->noise, &map, &mean);
@@ -198,9 +202,17 @@ static void judge_plan(Adaptive *adaptive) {
     adaptive->beyond = beyond ? adaptive->beyond + 1 : 0;
 }
 
+/* Notes whether a round has gone without a plan although the error is known, and without adding anything. */
+static void judge_round(Adaptive *adaptive, bool planned, bool added) {
+    adaptive->aimless = !planned && adaptive->claimed ? adaptive->aimless + 1 : 0;
+    adaptive->idle = !added;
+}
+
 bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double target, bool (*stop)(void), Error *error) {
     bool even = renderer->film.samples < EVEN_SAMPLES || !evidence_is_there(&renderer->plan);
     int chosen = even ? 0 : choose(adaptive, target);
+    uint64_t paths = adaptive->paths;
+    double light_paths = renderer->film.light_paths;
     if (chosen) judge_plan(adaptive);
     /* If no tile is worth a doubling so early, as in a picture of the sky alone, all tiles get samples until
      * an error can be reported. */
@@ -212,6 +224,9 @@ bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double target, bool 
         return false;
     }
     adaptive->rounds++;
+    bool stopped = (stop && stop()) || clock_seconds() >= adaptive->deadline;
+    judge_round(adaptive, chosen > 0,
+                adaptive->paths > paths || renderer->film.light_paths > light_paths || stopped);
     find_range(adaptive);
     return measure(adaptive, renderer, error);
 }
@@ -232,7 +247,10 @@ double adaptive_error(const Adaptive *adaptive, NoiseMeasure measure) {
     return noise_error(&adaptive->noise, measure);
 }
 
-bool adaptive_is_hopeless(const Adaptive *adaptive) {
+AdaptiveEnd adaptive_end(const Adaptive *adaptive) {
     bool black = adaptive->claimed && adaptive->noise.largest <= 0 && adaptive->paths >= paths_of_black;
-    return black || adaptive->beyond >= 2;
+    if (black) return ADAPTIVE_BLACK;
+    if (adaptive->idle) return ADAPTIVE_FULL;
+    if (adaptive->beyond >= 2) return ADAPTIVE_BEYOND;
+    return adaptive->aimless >= AIMLESS_ROUNDS ? ADAPTIVE_AIMLESS : ADAPTIVE_GOES_ON;
 }

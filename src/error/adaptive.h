@@ -35,9 +35,28 @@ typedef struct Adaptive {
     int rounds;
     /* The samples of a pixel, on average, with which the plan reaches the target. */
     double planned;
-    /* How many of the last rounds planned more than ADAPTIVE_MOST_SAMPLES. */
-    int beyond;
+    /* How many of the last rounds planned more than ADAPTIVE_MOST_SAMPLES, and how many found no tile to
+     * double although the error was known and too large. */
+    int beyond, aimless;
+    /* Whether the last round added nothing although it was not stopped. */
+    bool idle;
+    /* The share of the picture's samples that were left out, because they were not finite or too large to be
+     * summed. */
+    double rejected;
 } Adaptive;
+
+/* Why more rounds would not help. */
+typedef enum AdaptiveEnd {
+    ADAPTIVE_GOES_ON,
+    /* No path has found any light in 2^20 paths. */
+    ADAPTIVE_BLACK,
+    /* Two plans in turn, made after 256 samples of a pixel or more, were beyond ADAPTIVE_MOST_SAMPLES. */
+    ADAPTIVE_BEYOND,
+    /* All tiles that need more samples have as many as a film can count. */
+    ADAPTIVE_FULL,
+    /* The noise is known to no use: it is too large for a number, or no doubling makes it less. */
+    ADAPTIVE_AIMLESS
+} AdaptiveEnd;
 
 /* A picture whose plan takes more samples of a pixel, on average, is given up. No pixel gets more than eight
  * times as many, because a film counts up to 2^24. */
@@ -61,6 +80,5 @@ MUST_CHECK bool adaptive_pass(Adaptive *adaptive, Renderer *renderer, uint64_t s
 /* Returns the estimated error in a measure (error/noise.h), or INFINITY while it is not known. */
 double adaptive_error(const Adaptive *adaptive, NoiseMeasure measure);
 
-/* Whether the target is out of reach: no path has found any light, or two plans in turn, made after 256
- * samples of a pixel or more, were beyond ADAPTIVE_MOST_SAMPLES. */
-bool adaptive_is_hopeless(const Adaptive *adaptive);
+/* Whether and why the target is out of reach. */
+AdaptiveEnd adaptive_end(const Adaptive *adaptive);

@@ -38,13 +38,21 @@ static void say_thrown(const char *before, unsigned materials, double pixels, co
 /* What the picture has not reached, by what ended it. */
 static void say_unreached(const Adaptive *adaptive, const PromiseTerms *terms, Promise *promise) {
     const Evidence *evidence = &adaptive->evidence;
-    if (adaptive->beyond >= 2 && evidence->thrown)
+    AdaptiveEnd end = adaptive_end(adaptive);
+    const char *reason = end == ADAPTIVE_BEYOND    ? TOO_MANY
+                         : end == ADAPTIVE_FULL    ? "some pixels have as many samples as are counted, 2^23"
+                         : end == ADAPTIVE_AIMLESS ? "more samples do not make its noise less"
+                                                   : "the time was up";
+    snprintf(promise->reason, sizeof promise->reason, "%s", reason);
+    if (end == ADAPTIVE_BEYOND && evidence->thrown)
         say_thrown(TOO_MANY ": ", evidence->thrown, evidence->thrown_pixels, "is found by chance",
                    terms->facts, promise);
-    else if (adaptive->beyond >= 2)
-        snprintf(promise->reason, sizeof promise->reason, TOO_MANY);
-    else
-        snprintf(promise->reason, sizeof promise->reason, "the time was up");
+}
+
+/* The part of its samples that a picture may lose. What a lost sample would have brought is not known, so the
+ * picture is taken to miss as large a part of its light, or of the scale of levels. */
+static double rejected_limit(ErrorTarget target) {
+    return target.measure == NOISE_LEVELS ? target.amount / 255 : target.amount / 100;
 }
 
 Promise promise_judge(const Adaptive *adaptive, const PromiseTerms *terms) {
@@ -55,6 +63,10 @@ Promise promise_judge(const Adaptive *adaptive, const PromiseTerms *terms) {
     } else if (adaptive->noise.largest <= 0) {
         snprintf(promise.reason, sizeof promise.reason, "no path has found any light");
         promise.pixels = 1;
+    } else if (adaptive->rejected > rejected_limit(terms->target)) {
+        snprintf(promise.reason, sizeof promise.reason,
+                 "%.2g %% of the samples were not finite, or too large to be summed",
+                 100 * adaptive->rejected);
     } else if (isnan(terms->bias)) {
         snprintf(promise.reason, sizeof promise.reason, "the sky's bias is not known here");
     } else if (terms->bias > terms->target.amount) {

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "gl/texture.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -89,6 +90,17 @@ void film_add_light(Film *film, const float *points, int count, double paths) {
     film->light_paths += paths;
 }
 
+/* A float of the picture. */
+static float to_float(double value) {
+    return (float)fmax(fmin(value, (double)FLT_MAX), -(double)FLT_MAX);
+}
+
+double film_rejected_share(const FilmCount *count) {
+    double samples = (double)count->accepted + (double)count->rejected, light = (double)count->light;
+    return fmax(samples > 0 ? (double)count->rejected / samples : 0,
+                light > 0 ? (double)count->light_rejected / light : 0);
+}
+
 /* Takes what the second sum adds to the means of a rectangle's pixels: 4 floats a pixel, 0 where there is no
  * second sum. */
 static void take_light(const Film *film, const Rectangle *r, float *rgba) {
@@ -99,7 +111,7 @@ static void take_light(const Film *film, const Rectangle *r, float *rgba) {
         const float *from =
             !any ? NULL : film->light->sum + 4 * ((size_t)(r->y + y) * (size_t)film->width + (size_t)r->x);
         for (size_t i = 0; i < row; i++)
-            to[i] = any ? (float)((double)from[i] * film->light_scale / film->light_paths) : 0;
+            to[i] = any ? to_float((double)from[i] * film->light_scale / film->light_paths) : 0;
     }
 }
 
@@ -129,7 +141,7 @@ static void join_light(const Film *film, Image *image) {
     float *light = memory_get(values, sizeof *light);
     film_read_light(film, light);
     for (size_t i = 0; i < values; i++) {
-        if (i % 4 != 3) image->rgba[i] += light[i];
+        if (i % 4 != 3) image->rgba[i] = to_float((double)image->rgba[i] + (double)light[i]);
     }
     free(light);
 }
@@ -156,6 +168,10 @@ bool film_read(const Film *film, Image *image, FilmCount *count, Error *error) {
     if (ok) join_light(film, image);
     if (!ok) image_free(image);
     *count = (FilmCount){.accepted = (uint64_t)llround(accepted), .rejected = (uint64_t)llround(rejected)};
+    if (film->light) {
+        count->light_rejected = film->light->rejected;
+        count->light = film->light->points;
+    }
     return ok;
 }
 
@@ -175,7 +191,8 @@ bool film_read_variance(const Film *film, float *rgb, Error *error) {
     for (size_t i = 0; ok && i < 3 * pixels; i++) {
         const float *pixel = scatter + i / 3 * 4;
         float groups = pixel[3];
-        rgb[i] = groups >= 2 ? pixel[i % 3] / (groups - 1) / samples[i / 3] : NAN;
+        float variance = groups >= 2 ? pixel[i % 3] / (groups - 1) / samples[i / 3] : NAN;
+        rgb[i] = isfinite(variance) ? variance : NAN;
     }
     free(scatter);
     free(samples);
@@ -213,8 +230,9 @@ bool film_read_pixel(const Film *film, int x, int y, FilmPixel *pixel, Error *er
     *pixel = (FilmPixel){.samples = samples};
     for (int c = 0; c < 3; c++) {
         double mean = samples > 0 ? ((double)sum[c] + (double)rest[c]) / samples : 0;
+        double variance = groups >= 2 ? (double)scatter[c] / (groups - 1) / samples : NAN;
         pixel->radiance[c] = mean + (double)light[c];
-        pixel->variance[c] = groups >= 2 ? (double)scatter[c] / (groups - 1) / samples : NAN;
+        pixel->variance[c] = isfinite(variance) ? variance : NAN;
     }
     return true;
 }

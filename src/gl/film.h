@@ -65,7 +65,12 @@ typedef struct Film {
 typedef struct FilmCount {
     /* Numbers of samples, over all pixels. */
     uint64_t accepted, rejected;
+    /* Points of light that the second sum left out, and those that were added to it or left out. */
+    uint64_t light_rejected, light;
 } FilmCount;
+
+/* The share of the samples and of the points of light that were left out: the larger of the two. */
+double film_rejected_share(const FilmCount *count);
 
 /* Counts over all pixels and samples. Counts above 2^24 in a pixel are rounded. */
 typedef struct FilmSearch {
@@ -117,15 +122,17 @@ GLuint film_join(const Film *film, const Program *program);
  * there is no second sum. */
 void film_read_light(const Film *film, float *rgba);
 
-/* Reads the mean radiance, including the second sum. Alpha is 1 where a sample was accepted and 0 elsewhere.
- * On success the caller frees the image. */
+/* Reads the mean radiance, including the second sum. It is finite: what both sums together have beyond a
+ * float is cut off. Alpha is 1 where a sample was accepted and 0 elsewhere. On success the caller frees the
+ * image. */
 MUST_CHECK bool film_read(const Film *film, Image *image, FilmCount *count, Error *error);
 
 /* Reads the number of accepted samples: one float a pixel. */
 MUST_CHECK bool film_read_samples(const Film *film, float *samples, Error *error);
 
 /* Reads the estimated variance of each pixel's mean, without that of the second sum: 3 floats a pixel, NaN
- * where fewer than two groups were taken. The film must have FILM_SCATTER. */
+ * where fewer than two groups were taken, and where it is too large for a float. The film must have
+ * FILM_SCATTER. */
 MUST_CHECK bool film_read_variance(const Film *film, float *rgb, Error *error);
 
 /* All counts are 0 for a film without FILM_SEARCH. */

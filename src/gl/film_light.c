@@ -30,6 +30,7 @@ void film_light_destroy(FilmLight *light, const GlApi *gl) {
 
 void film_light_clear(FilmLight *light) {
     memset(light->sum, 0, value_count(light) * sizeof *light->sum);
+    light->points = light->rejected = 0;
     light->current = false;
 }
 
@@ -39,9 +40,13 @@ void film_light_add(FilmLight *light, const float *points, int count) {
         uint32_t bits;
         memcpy(&bits, point + 3, sizeof bits);
         int x = (int)(bits & 0x3fff), y = (int)(bits >> 14 & 0x3fff);
-        if (x >= light->width || y >= light->height || !isfinite(point[0] + point[1] + point[2])) continue;
-        float *sum = light->sum + 4 * ((size_t)y * (size_t)light->width + (size_t)x);
-        for (int c = 0; c < 3; c++) sum[c] += point[c];
+        if (x >= light->width || y >= light->height) continue;
+        float *sum = light->sum + 4 * ((size_t)y * (size_t)light->width + (size_t)x), next[3];
+        for (int c = 0; c < 3; c++) next[c] = sum[c] + point[c];
+        bool fits = isfinite(next[0]) && isfinite(next[1]) && isfinite(next[2]);
+        if (fits) memcpy(sum, next, sizeof next);
+        light->points++;
+        light->rejected += !fits;
     }
     light->current = false;
 }

@@ -6,11 +6,15 @@
 #include "gl/gl_api.h"
 
 #include <stdbool.h>
+#include <stdint.h>
 
 typedef struct FilmLight {
     int width, height;
     /* 4 floats a pixel, of which the last is 0. */
     float *sum;
+    /* The points that were added or left out, and of these those that were not finite, or would have made a
+     * sum too large for a float. Points beside the picture do not count. */
+    uint64_t points, rejected;
     /* The sum as a texture, and whether it has all that was added. */
     GLuint texture;
     bool current;
@@ -22,7 +26,8 @@ void film_light_destroy(FilmLight *light, const GlApi *gl);
 void film_light_clear(FilmLight *light);
 
 /* Adds points of 4 floats in their order: the light, and its pixel as glsl/pass/light_point.glsl writes it.
- * Points beside the picture and those that are not finite are left out. */
+ * Points beside the picture are left out, and so are those that are not finite or too large to be summed,
+ * which are counted. */
 void film_light_add(FilmLight *light, const float *points, int count);
 
 /* The sum as a texture. */
