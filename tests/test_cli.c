@@ -194,7 +194,7 @@ static void test_interrupt(void **state) {
     /* It is interrupted when it has samples. */
     snprintf(
         command, sizeof command,
-        "'%s' render scenes/crater.glsl --size 256x256 --spp 4000000000 --quiet --progress json -o '%s' "
+        "'%s' render scenes/crater.glsl --size 256x256 --spp 16000000 --quiet --progress json -o '%s' "
         "2>'%s' & until grep -qs '\"samples\"' '%s'; do sleep 0.05; done; kill -INT $!; wait $!; exit $?",
         program ? program : "build/magichour", out, support_path("progress"), support_path("progress"));
     int status = system(command);
@@ -204,7 +204,7 @@ static void test_interrupt(void **state) {
     support_expect(0, "", "render scenes/crater.glsl --size 64x64 --time 0.3 --sky uniform -o '%s'", out);
     snprintf(
         command, sizeof command,
-        "timeout --preserve-status -s INT 0.5 '%s' render scenes/crater.glsl --size 64x64 --spp 4000000000 "
+        "timeout --preserve-status -s INT 0.5 '%s' render scenes/crater.glsl --size 64x64 --spp 16000000 "
         "--set atmosphere.orders=all --set atmosphere.spectrum=6 --quiet -o '%s'; exit $?",
         program ? program : "build/magichour", out);
     status = system(command);
