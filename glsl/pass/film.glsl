@@ -15,8 +15,8 @@ vec3 film_opaque(vec3 v) {
 }
 
 // `group` is the sum of the radiances of the accepted samples, and in alpha their number. A group that would make the pixel's sum too
-// large for a float is left out, and counts as rejected.
-void film_add(vec4 group, float rejected) {
+// large for a float is left out, and counts as rejected. Returns whether it was added.
+bool film_add(vec4 group, float rejected) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 sum = texelFetch(film_sum, pixel, 0);
     vec4 rest = texelFetch(film_rest, pixel, 0);
@@ -31,4 +31,5 @@ void film_add(vec4 group, float rejected) {
     film_sum_next = fits ? vec4(total, sum.a + group.a) : sum;
     film_rest_next =
         fits ? vec4(small - film_opaque(total - next), rest.a + rejected) : vec4(rest.rgb, rest.a + rejected + group.a);
+    return fits;
 }

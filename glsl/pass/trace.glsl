@@ -19,6 +19,7 @@
 #include <scatter>
 #include <search>
 #include <chance>
+#include <rejects>
 
 uniform uint group_samples;
 uniform uint seed;
@@ -33,12 +34,15 @@ void main() {
         Sequence sequence = sequence_start(pixel.x, pixel.y, first_sample + i, seed);
         Ray ray = camera_ray(vec2(pixel), sequence_pair(sequence));
         vec3 radiance = path_radiance(ray, max_hits, sequence);
-        group += is_finite(radiance) && !loops_ended() ? vec4(radiance, 1.0) : vec4(0.0);
+        bool finite = is_finite(radiance);
+        bool counts = finite && !loops_ended();
+        film_reject(radiance, finite, counts);
+        group += counts ? vec4(radiance, 1.0) : vec4(0.0);
         i += 1u;
     } while (i < group_samples);
     group += vec4(sun_image_sum() * (group.a / float(group_samples)), 0.0);
     film_scatter(group);
     film_search();
     film_chance();
-    film_add(group, float(group_samples) - group.a);
+    film_rejects(film_add(group, float(group_samples) - group.a), group.a);
 }

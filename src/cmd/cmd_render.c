@@ -2,6 +2,7 @@
 #include "choice/auto.h"
 #include "cmd/cmd.h"
 #include "cmd/interrupt.h"
+#include "cmd/nan_map.h"
 #include "cmd/outputs.h"
 #include "cmd/render_job.h"
 #include "cmd/render_toy.h"
@@ -70,7 +71,8 @@ static bool open_scene(RenderJob *job, Error *error) {
 
 static bool prepare(RenderJob *job, Error *error) {
     const Options *options = job->options;
-    if (!check_aov(options, &job->aov_kinds, error) || !check_sequence(options, job->aov_kinds, error))
+    if (!check_aov(options, &job->aov_kinds, error) || !check_sequence(options, job->aov_kinds, error) ||
+        !nan_map_check(options, error))
         return false;
     job->params = (RenderParams){.scene = &job->scene,
                                  .sky = options->sky,
@@ -85,6 +87,7 @@ static bool prepare(RenderJob *job, Error *error) {
                                  .samples = options->samples,
                                  .error_percent = target_percent(options->error, tone_of(options)),
                                  .variance = job->aov_kinds & AOV_VARIANCE,
+                                 .rejects = options->nan_map != NULL,
                                  .in_steps = true};
     progress_begin(&job->progress, "compiling");
     return context_open(&job->context, options->backend, error) &&
@@ -241,7 +244,7 @@ static bool write_outputs(const RenderJob *job, int argc, char **argv, Error *er
     render_describe(job, argc, argv, &attributes);
     ImageWriteParams params = {
         .exposure_ev = job->scene.values.exposure_ev, .tone = tone_of(options), .attributes = &attributes};
-    bool ok = outputs_write(options, &job->image, &params, error);
+    bool ok = outputs_write(options, &job->image, &params, error) && nan_map_write(job, &attributes, error);
     attribute_list_free(&attributes);
     return ok;
 }

@@ -78,6 +78,8 @@ const OptionRow option_table[] = {
      "for levels: author or none; author by default", NULL},
     {GROUP_OUTPUT, "--aov", "LIST", R, LIST(aov, "albedo,normal,depth,samples,variance,transmittance"),
      "layers of .exr, some of albedo, normal, depth, samples, variance and transmittance, with commas", NULL},
+    {GROUP_OUTPUT, "--nan-map", "FILE.exr", R, STRING(nan_map),
+     "write where samples were left out: the number of them in each pixel, a layer for each cause", NULL},
     {GROUP_OUTPUT, "--record", "DIR", V, STRING(record),
      "write DIR/frame-00001.png ... and end: of a scene a day, 64 samples each if --spp is not given; of a "
      "file with "

@@ -81,6 +81,9 @@ typedef struct Options {
     /* A list of layers such as "albedo,depth". */
     const char *aov;
 
+    /* Where to write the picture of the samples that were left out. */
+    const char *nan_map;
+
     /* The method for the sun's disk; "auto" if the option has no word, or `on`. */
     const char *sun_disk;
 

@@ -12,6 +12,7 @@ static const char *useless_option(const Options *options) {
                {options->seed != 0, "--seed"},
                {options->depth != 0, "--depth"},
                {options->aov, "--aov"},
+               {options->nan_map, "--nan-map"},
                {options->has_sun, "--sun"},
                {options->sun_disk, "--sun-disk"},
                {options->atmosphere, "--atmosphere"},

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SUM, REST, SCATTER, SEARCH, CHANCE, SQUARES };
+enum { SUM, REST, SCATTER, SEARCH, CHANCE, SQUARES, REJECTS };
 
 static size_t pixel_count(const Film *film) {
     return (size_t)film->width * (size_t)film->height;
@@ -32,6 +32,7 @@ bool film_create(Film *film, const Context *context, int width, int height, unsi
     if (parts & FILM_SCATTER) outputs |= 1U << SCATTER;
     if (parts & FILM_SEARCH) outputs |= 1U << SEARCH;
     if (parts & FILM_CHANCE) outputs |= 1U << CHANCE | 1U << SQUARES;
+    if (parts & FILM_REJECTS) outputs |= 1U << REJECTS;
     *film = (Film){.width = width, .height = height, .parts = parts, .light_scale = 1};
     if (!target_create(&film->target, context, width, height, outputs, error)) return false;
     if (parts & FILM_LIGHT) {
@@ -66,7 +67,8 @@ void film_reset(Film *film) {
 
 void film_begin(Film *film, const Program *program) {
     static const char *const names[] = {"film_sum",        "film_rest",       "film_scatter_sum",
-                                        "film_search_sum", "film_chance_sum", "film_squares_sum"};
+                                        "film_search_sum", "film_chance_sum", "film_squares_sum",
+                                        "film_rejects_sum"};
     target_begin(&film->target, program, names);
     program_set_uint(program, "film_zero", 0);
 }
@@ -215,6 +217,15 @@ bool film_read_search(const Film *film, FilmSearch *search, Error *error) {
 bool film_read_chance(const Film *film, float *chance, float *squares, Error *error) {
     return target_read(&film->target, CHANCE, chance, error) &&
            target_read(&film->target, SQUARES, squares, error);
+}
+
+bool film_read_rejects(const Film *film, float *counts, Error *error) {
+    memset(counts, 0, 4 * pixel_count(film) * sizeof *counts);
+    return !(film->parts & FILM_REJECTS) || target_read(&film->target, REJECTS, counts, error);
+}
+
+void film_read_points(const Film *film, float *counts) {
+    for (size_t i = 0; i < pixel_count(film); i++) counts[i] = film->light ? film->light->sum[4 * i + 3] : 0;
 }
 
 bool film_read_pixel(const Film *film, int x, int y, FilmPixel *pixel, Error *error) {

@@ -25,6 +25,10 @@
  * averaged over the channels and summed over the samples, in rgb by a material's number modulo 3; and in
  * alpha a bit for each material whose light was found (glsl/sun/count.glsl).
  *
+ * With FILM_REJECTS there is a seventh, `rejects`: the number of samples that were left out because they were
+ * not finite, because their group would have made the sum too large for a float, and because the driver had
+ * ended their loops; and the number of those that were added although they were negative somewhere.
+ *
  * With FILM_LIGHT there is a second sum, `light`, for light that is traced from the lights to the camera, or
  * that Markov chains bring. Such light falls on any pixel and is added point by point. It belongs to the
  * picture as a whole: the mean of a pixel is sum / samples + scale * light / light paths. The second sum is a
@@ -42,13 +46,13 @@
 
 #include <stdint.h>
 
-enum { FILM_SCATTER = 1, FILM_SEARCH = 2, FILM_LIGHT = 4, FILM_CHANCE = 8 };
+enum { FILM_SCATTER = 1, FILM_SEARCH = 2, FILM_LIGHT = 4, FILM_CHANCE = 8, FILM_REJECTS = 16 };
 
 typedef struct Film {
     int width, height;
     /* FILM_SCATTER and the like: what it has beside sum and rest. */
     unsigned parts;
-    /* Its textures are sum, rest, scatter, search and chance. */
+    /* Its textures are sum, rest, scatter, search, chance, squares and rejects. */
     Target target;
     /* Samples of each pixel, of the committed passes that drew all pixels. */
     uint64_t samples;
@@ -140,6 +144,12 @@ MUST_CHECK bool film_read_search(const Film *film, FilmSearch *search, Error *er
 
 /* Reads the textures `chance` and `squares`: 4 floats a pixel each. The film must have FILM_CHANCE. */
 MUST_CHECK bool film_read_chance(const Film *film, float *chance, float *squares, Error *error);
+
+/* Reads the texture `rejects`: 4 floats a pixel. Without FILM_REJECTS all are 0. */
+MUST_CHECK bool film_read_rejects(const Film *film, float *counts, Error *error);
+
+/* Reads the number of points of light that the second sum left out: one float a pixel. */
+void film_read_points(const Film *film, float *counts);
 
 /* One pixel of a film with FILM_SCATTER. */
 typedef struct FilmPixel {

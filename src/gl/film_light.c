@@ -47,6 +47,7 @@ void film_light_add(FilmLight *light, const float *points, int count) {
         if (fits) memcpy(sum, next, sizeof next);
         light->points++;
         light->rejected += !fits;
+        sum[3] += fits ? 0 : 1;
     }
     light->current = false;
 }

@@ -10,7 +10,7 @@
 
 typedef struct FilmLight {
     int width, height;
-    /* 4 floats a pixel, of which the last is 0. */
+    /* 4 floats a pixel, of which the last is the number of points that were left out. */
     float *sum;
     /* The points that were added or left out, and of these those that were not finite, or would have made a
      * sum too large for a float. Points beside the picture do not count. */

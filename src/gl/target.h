@@ -5,7 +5,7 @@
 #include "base/rectangle.h"
 #include "gl/program.h"
 
-enum { TARGET_TEXTURES = 6 };
+enum { TARGET_TEXTURES = 7 };
 
 typedef struct Target {
     const GlApi *gl;

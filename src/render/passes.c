@@ -98,6 +98,7 @@ bool pass_text(const Pass *pass, const Plan *plan, const RenderParams *params, G
     slot_file(&slots, "sequence", plan->sequence.method->file);
     slot_file(&slots, "light", plan->light.method->file);
     slot_file(&slots, "scatter", params->variance ? "pass/scatter.glsl" : "pass/scatter_none.glsl");
+    slot_file(&slots, "rejects", params->rejects ? "pass/rejects.glsl" : "pass/rejects_none.glsl");
     slot_file(&slots, "search", plan->needs.search ? "pass/search.glsl" : "pass/search_none.glsl");
     slot_file(&slots, "loops", plan->needs.search ? "pass/loops.glsl" : "pass/loops_none.glsl");
     slot_file(&slots, "chance", plan_counts_chance(plan) ? "pass/chance.glsl" : "pass/chance_none.glsl");

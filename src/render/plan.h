@@ -37,6 +37,8 @@ typedef struct RenderParams {
     double error_percent;
     /* Whether the film must have FILM_SCATTER, for film_read_variance(). */
     bool variance;
+    /* Whether it must have FILM_REJECTS, for film_read_rejects(). */
+    bool rejects;
     /* Whether a renderer may be returned whose tables in steps are not ready, for renderer_prepare(). */
     bool in_steps;
     /* Asked while the tables are filled, several times a second, for the share of them that is ready; NULL if

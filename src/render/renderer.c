@@ -107,9 +107,11 @@ static bool finish(Renderer *renderer, Error *error) {
     return true;
 }
 
-static unsigned film_parts(const Plan *plan, bool variance) {
+static unsigned film_parts(const Renderer *renderer) {
+    const Plan *plan = &renderer->plan;
     bool chains = plan->sequence.method->walks_chains;
-    return (variance ? FILM_SCATTER : 0U) | (plan->needs.search && !chains ? FILM_SEARCH : 0U) |
+    return (renderer->variance ? FILM_SCATTER : 0U) | (renderer->rejects && !chains ? FILM_REJECTS : 0U) |
+           (plan->needs.search && !chains ? FILM_SEARCH : 0U) |
            (plan_counts_chance(plan) ? FILM_CHANCE : 0U) |
            (plan->sun.method->traces_light || chains ? FILM_LIGHT : 0U);
 }
@@ -147,8 +149,7 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
     SunImage image;
     follow(renderer, &frame);
     if (!create_program(renderer, context, params, error) || !list_files(renderer, params, error) ||
-        !film_create(&renderer->film, context, width, height, film_parts(&renderer->plan, renderer->variance),
-                     error) ||
+        !film_create(&renderer->film, context, width, height, film_parts(renderer), error) ||
         !create_tables(renderer, context, params, &frame, error) ||
         !image_pass_create(&renderer->image, context, &renderer->plan, error) ||
         !photon_pass_create(&renderer->light, context, &renderer->plan, params, error) ||
@@ -163,7 +164,8 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
 }
 
 bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
-    *renderer = (Renderer){.gl = &context->gl, .seed = params->seed, .variance = params->variance};
+    *renderer = (Renderer){
+        .gl = &context->gl, .seed = params->seed, .variance = params->variance, .rejects = params->rejects};
     if (!scene_check_size(plan_width(params), plan_height(params), error) ||
         !scene_check(params->scene, error) || !plan_make(&renderer->plan, params, context, error)) {
         goto fail;
@@ -181,7 +183,7 @@ fail:
 static bool film_fits(const Renderer *renderer, int width, int height) {
     const Film *film = &renderer->film;
     return film->target.gl && film->width == width && film->height == height &&
-           film->parts == film_parts(&renderer->plan, renderer->variance);
+           film->parts == film_parts(renderer);
 }
 
 /* If the new renderer has to wait for its tables, it keeps the picture of before. */
@@ -205,8 +207,7 @@ static bool create_next_film(const Renderer *renderer, const Context *context, c
                              Film *next, Error *error) {
     *next = (Film){0};
     return film_fits(renderer, camera->width, camera->height) ||
-           film_create(next, context, camera->width, camera->height,
-                       film_parts(&renderer->plan, renderer->variance), error);
+           film_create(next, context, camera->width, camera->height, film_parts(renderer), error);
 }
 
 bool renderer_restart(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
@@ -217,7 +218,8 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
     if (!scene_check_size(width, height, error) || !scene_check(scene, error) ||
         !plan_choose(&plan, params, context, error))
         return false;
-    if (!plan_same_programs(&renderer->plan, &plan) || renderer->variance != params->variance)
+    if (!plan_same_programs(&renderer->plan, &plan) || renderer->variance != params->variance ||
+        renderer->rejects != params->rejects)
         return recreate(renderer, context, params, error);
     Camera camera = camera_of(scene, width, height);
     Frame frame = frame_of(&renderer->plan, params, &camera);

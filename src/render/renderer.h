@@ -15,7 +15,7 @@ typedef struct Renderer {
     const GlApi *gl;
     /* What was chosen, and what the parameters said. */
     Plan plan;
-    bool variance;
+    bool variance, rejects;
     unsigned seed;
     /* The claimed relRMSE of the sky (choice/bias.h), percent; NAN if it is not known. */
     double sky_bias_percent;
