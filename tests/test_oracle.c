@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+ORACLE_CASE(aerial);
 ORACLE_CASE(atmosphere);
 ORACLE_CASE(mirror_sphere);
 ORACLE_CASE(checker);
@@ -334,6 +335,72 @@ static void test_mist_depth(void **state) {
         events += got[1] >= 0;
     }
     assert_true(events > ORACLE_ITEMS / 4);
+}
+
+/* Rays of up to 100 km through the air between surfaces, from the ground to within the ozone layer. */
+static void set_air_rays(void) {
+    random_state = 1;
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        float *a = inputs + 8 * i, *b = a + 4;
+        b[0] = (float)(i % 4 ? 1 : 3e4 * random_unit());
+        a[0] = (float)(i % 3 ? 5 * random_unit() : 4e3 * random_unit());
+        a[1] = (float)(i % 8 ? (i % 2 ? 1 : -1) * pow(10, -4 * random_unit()) : 0);
+        a[2] = (float)pow(10, 7 * random_unit() - 2);
+        /* Down to the ground. */
+        if (a[1] < 0) a[2] = fminf(a[2], -a[0] / a[1]);
+        a[3] = (float)random_unit();
+        for (int c = 1; c < 4; c++) b[c] = (float)random_unit();
+    }
+}
+
+static void test_air(void **state) {
+    static const OracleQuantity quantities[] = {
+        {"red depth", .result = 0, .rms = 1e-6, .worst = 2e-5},
+        {"green depth", .result = 1, .rms = 1e-6, .worst = 2e-5},
+        {"blue depth", .result = 2, .rms = 1e-6, .worst = 2e-5},
+        /* The number that chose the channel lets little of itself over where it is near to a third. */
+        {"point", .result = 3, .floor = 1e-3, .rms = 3e-5, .worst = 3e-3, .jump = 1e-2,
+         .most_set_aside = 1e-3},
+        {"weight", .result = 4, .floor = 1e-3, .rms = 3e-5, .worst = 3e-3, .jump = 1e-2,
+         .most_set_aside = 1e-3},
+        {"event", .result = 5, .floor = 1e-3, .rms = 1e-4, .worst = 3e-3, .jump = 1e-2,
+         .most_set_aside = 1e-2},
+        {"event's weight", .result = 6, .floor = 1e-3, .rms = 1e-4, .worst = 3e-3, .jump = 1e-2,
+         .most_set_aside = 1e-2},
+        {"turn", .result = 7, .floor = 1, .rms = 1e-6, .worst = 1e-5},
+    };
+    start(state);
+    set_air_rays();
+    oracle_compare(&context, ORACLE(aerial), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+/* The extinction summed along the ray of an item by Simpson's rule. The ozone has corners: many steps. */
+static double air_quadrature(const float *item, int channel) {
+    static const double scatter[] = {5.8e-6, 13.5e-6, 33.1e-6}, ozone[] = {0.650e-6, 1.881e-6, 0.085e-6};
+    enum { STEPS = 1000 };
+    double sum = 0, step = (double)item[2] / STEPS;
+    for (int i = 0; i <= STEPS; i++) {
+        double h = (double)item[4] + (double)item[0] + i * step * (double)item[1];
+        double extinction = scatter[channel] * exp(-h / 7994) + 23.1e-6 * exp(-h / 1200) +
+                            ozone[channel] * fmax(1 - fabs(h - 25e3) / 15e3, 0);
+        sum += (i == 0 || i == STEPS ? 1 : i % 2 ? 4 : 2) * extinction;
+    }
+    return sum * step / 3;
+}
+
+/* In double the depths are the sums of the extinction. */
+static void test_air_depth(void **state) {
+    static double results[8 * ORACLE_ITEMS];
+    (void)state;
+    set_air_rays();
+    oracle_aerial_double(inputs, 2 * ORACLE_ITEMS / 64, 64, results);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        for (int c = 0; c < 3; c++) {
+            double depth = air_quadrature(inputs + 8 * i, c);
+            assert_true(fabs(results[8 * i + c] - depth) <= 2e-6 * depth);
+        }
+    }
 }
 
 /* Whole numbers, and floats made of them, are the same to the bit. */
@@ -671,6 +738,7 @@ int main(void) {
         cmocka_unit_test(test_paper),     cmocka_unit_test(test_gauss),
         cmocka_unit_test(test_shape),     cmocka_unit_test(test_solids),
         cmocka_unit_test(test_march),     cmocka_unit_test(test_distance),
+        cmocka_unit_test(test_air),       cmocka_unit_test(test_air_depth),
         cmocka_unit_test(test_mist),      cmocka_unit_test(test_mist_depth),
         cmocka_unit_test(test_lobes),     cmocka_unit_test(test_mirror_sphere),
         cmocka_unit_test(test_sequences), cmocka_unit_test(test_chain_step),

@@ -121,7 +121,7 @@ void path_after(INOUT(PathMemory) memory, Path path, bool alive) {
 
 // If the bounce from the level ground escapes at once, what it brings and what it takes off are the same, and the known light is all.
 vec3 path_finish(PathMemory memory, Path path, vec3 disk) {
-    bool open = path.escaped && memory.controlled && path.hits == memory.hit;
+    bool open = path.escaped && memory.controlled && path.hits == memory.hit && path.weight == vec3(1.0);
     vec3 known = memory.known * sky_irradiance_over_pi(memory.normal);
     vec3 brought = path.throughput * sky_radiance(path.ray.direction);
     vec3 taken = memory.control * sky_radiance(memory.direction);

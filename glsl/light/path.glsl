@@ -13,7 +13,7 @@
 
 // Radiance that comes back along `ray`, with at most `max_hits` surface hits.
 vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
-    Path path = Path(ray, vec3(1.0), vec3(0.0), 0, sun_start(), 1.0, false);
+    Path path = Path(ray, vec3(1.0), vec3(0.0), 0, sun_start(), 1.0, vec3(1.0), false);
     PathMemory memory = path_start();
     // Drawn while the path is alive and used in the next turn: llvmpipe may compute what stands at a loop's top once more for paths that have ended.
     vec2 w = mist_here() ? sequence_pair(sequence) : vec2(0.0);
@@ -23,7 +23,8 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
         Stretch stretch = stretch_of(path.ray, w);
         Hit hit = stretch.hit;
         path.escaped = hit.t >= INFINITY;
-        if (!stretch.in_mist) path.gathered += path.throughput * emission_met(hit, path.ray.direction, path.lamp_share);
+        path.weight = stretch.weight;
+        if (!stretch.in_mist) path.gathered += path.throughput * path.weight * emission_met(hit, path.ray.direction, path.lamp_share);
         if (mist_here() && path.hits < max_hits) {
             path.gathered += path.throughput * stretch_sun(stretch, path, max_hits - path.hits - 1, sequence);
         }
@@ -33,9 +34,14 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             vec2 u = sequence_pair(sequence);
             vec2 v = sequence_pair(sequence);
             Material material = stretch_material(stretch);
+            // The sun's light is gathered by expectation, so that the choice between mist and surface has no part in it.
+            vec3 before = path.throughput;
+            path.throughput *= path.weight;
             Bounce bounce = path_bounce(memory, path, hit, material, u, v);
-            path.gathered += path.throughput * stretch_surface_sun(stretch, path, material, max_hits - path.hits - 1, sequence);
+            path.gathered += before * stretch_surface_sun(stretch, path, material, max_hits - path.hits - 1, sequence);
             path.sun = sun_after_bounce(path.sun, hit, material, incoming, bounce);
+            // The sunlight that air scatters is gathered with any of the sun's methods.
+            if (mist_is_air() && stretch.in_mist) path.sun.found = SUN_SOUGHT;
             vec3 lamp = emission_direction(hit, sequence);
             float lamp_pdf = path_pdf(memory, path, hit, material, lamp);
             path.gathered += path.throughput * emission_reflected(hit, material, incoming, lamp, lamp_pdf);
@@ -52,6 +58,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             path_after(memory, path, alive);
         }
     } while (alive);
+    if (path.escaped) path.throughput *= path.weight;
     float share = sun_share(path.sun.traced * path.sun.peak, path.ray);
     vec3 disk = share * sun_escaped(path.sun, path.ray.direction);
     if (path.escaped) sun_count(path.sun, share * path.throughput, path.ray.direction, path.throughput * disk);

@@ -1,5 +1,6 @@
 // A part of a path, from one hit to the next: the surface that the ray meets, and the mist before it.
 #include "light/surface.glsl"
+#include "light/through.glsl"
 #include "light/walk.glsl"
 #include "mist/ask.glsl"
 #include "sun/ask.glsl"
@@ -14,16 +15,19 @@ struct Stretch {
     MistWay way;
     // The place in it that stands for all of it.
     MistPoint point;
+    // The light that comes from the path's hit, over the probability that this is the hit.
+    vec3 weight;
 };
 
 // w draws the place of the path's next hit, and the place that stands for the mist.
 Stretch stretch_of(Ray ray, vec2 w) {
     Hit surface = surface_hit(ray);
-    Stretch stretch = Stretch(surface, surface, false, mist_way(ray, surface.t), MistPoint(0.0, 0.0));
+    Stretch stretch = Stretch(surface, surface, false, mist_way(ray, surface.t), MistPoint(0.0, vec3(0.0)), vec3(1.0));
     if (mist_here()) {
-        float event = mist_event(stretch.way, w.x);
-        stretch.in_mist = event < INFINITY;
-        if (stretch.in_mist) stretch.hit = mist_hit(ray, event);
+        MistEvent event = mist_event(stretch.way, w.x);
+        stretch.in_mist = event.t < INFINITY;
+        stretch.weight = event.weight;
+        if (stretch.in_mist) stretch.hit = mist_hit(ray, event.t);
         stretch.point = mist_point(stretch.way, w.y);
     }
     return stretch;
@@ -32,16 +36,21 @@ Stretch stretch_of(Ray ray, vec2 w) {
 // What is there where the path goes on.
 Material stretch_material(Stretch stretch) {
     Material material = surface_material(stretch.surface);
-    if (stretch.in_mist) material = mist_material();
+    if (stretch.in_mist) material = mist_material(stretch.hit.position);
     return material;
 }
 
 // The sunlight that the mist scatters toward the ray's origin, for light that comes by way of at most `mirrors` mirrors.
 vec3 stretch_sun(Stretch stretch, Path path, int mirrors, INOUT(Sequence) sequence) {
     vec3 scattered = vec3(0.0);
-    if (stretch.point.weight > 0.0) {
-        Hit place = mist_hit(path.ray, stretch.point.t);
-        scattered = stretch.point.weight * sun_reflected(path.sun, place, mist_material(), path.ray.direction, mirrors, sequence);
+    vec3 weight = stretch.point.weight;
+    Hit place = mist_hit(path.ray, stretch.point.t);
+    if (mist_is_air()) {
+        scattered = weight * air_sunlight(place.position, path.ray.direction);
+        if (max(scattered.x, max(scattered.y, scattered.z)) > 0.0) scattered *= light_arriving(ray_from(place, air_sun_direction()));
+    } else if (max(weight.x, max(weight.y, weight.z)) > 0.0) {
+        Material material = mist_material(place.position);
+        scattered = weight * sun_reflected(path.sun, place, material, path.ray.direction, mirrors, sequence);
     }
     return scattered;
 }

@@ -5,7 +5,7 @@
 
 // What light keeps along the first `distance` metres of a ray on which no surface stands.
 vec3 light_through(Ray ray, float distance) {
-    return vec3(mist_kept(mist_way(ray, distance)));
+    return mist_kept(mist_way(ray, distance));
 }
 
 // What light from beyond the scene keeps until it reaches the origin of the ray; 0 where a surface blocks it.

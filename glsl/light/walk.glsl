@@ -16,6 +16,8 @@ struct Path {
     SunState sun;
     // Share of the light emitted at the next hit that the ray counts. Lamps that are sampled have counted the rest.
     float lamp_share;
+    // The light that comes from the ray's end, over the probability that the path goes on there. 1 but for coloured mist.
+    vec3 weight;
     // Whether the last ray left the scene.
     bool escaped;
 };

@@ -1,5 +1,6 @@
 // What a path asks of the mist between the surfaces. The files of this folder answer.
 // homogeneous.glsl and height.glsl say how dense it is, and closed.glsl and function.glsl how far light comes in it; none.glsl is for scenes without mist.
+// The atmosphere's own air between the surfaces is mist too, of coloured extinction (air.glsl).
 //
 // Mist is told by its extinction, the share of the light that a metre of it takes away. The optical depth of a way is the sum of the
 // extinction along it, and the transmittance exp(-depth) is the share of the light that comes through.
@@ -23,7 +24,15 @@ struct MistPoint {
     // Metres along the ray.
     float t;
     // The share of the light that the way takes away, over the density of the place.
-    float weight;
+    vec3 weight;
+};
+
+// Where a path goes on: in the mist, or behind it.
+struct MistEvent {
+    // Metres along the ray; INFINITY if the mist scatters nothing.
+    float t;
+    // The light that comes from there, over the probability of this choice: 1 where all channels have the same extinction.
+    vec3 weight;
 };
 
 // Whether the scene has mist. It is a constant, so that a scene without mist is compiled as if there were no such thing.
@@ -40,10 +49,10 @@ MistWay mist_way(Ray ray, float distance);
 float mist_reached(MistWay way, float depth);
 
 // The share of the light that comes through the way, or an estimate of it whose mean is right.
-float mist_kept(MistWay way);
+vec3 mist_kept(MistWay way);
 
-// Draws the place where the way first scatters or absorbs light, in metres along the ray; INFINITY if it does so nowhere. u is in [0, 1).
-float mist_event(MistWay way, float u);
+// Draws the place where the way first scatters or absorbs light. u is in [0, 1).
+MistEvent mist_event(MistWay way, float u);
 
 // Draws a place of the way with a density in proportion to the light that the place takes away. u is in [0, 1).
 MistPoint mist_point(MistWay way, float u);
@@ -52,7 +61,13 @@ MistPoint mist_point(MistWay way, float u);
 float mist_excess(Ray ray, float distance, float u);
 
 // What a path meets there.
-Material mist_material();
+Material mist_material(vec3 position);
+
+// Whether the mist is the atmosphere's air, which is a constant; and if it is, the sunlight that a metre of it scatters toward the origin of a ray of this direction,
+// if nothing stands before the sun; and the direction to the sun.
+bool mist_is_air();
+vec3 air_sunlight(vec3 position, vec3 incoming);
+vec3 air_sun_direction();
 
 // A place in the mist as a hit. It has no normal, so that rays begin exactly there.
 Hit mist_hit(Ray ray, float t) {

@@ -6,21 +6,21 @@
 void mist_begin(vec2 numbers) {
 }
 
-float mist_kept(MistWay way) {
-    return exp(-way.depth);
+vec3 mist_kept(MistWay way) {
+    return vec3(exp(-way.depth));
 }
 
 // The depth before the event is distributed as exp(-depth).
-float mist_event(MistWay way, float u) {
+MistEvent mist_event(MistWay way, float u) {
     float depth = depth_taking(u);
-    return depth < way.depth ? way.begin + min(mist_reached(way, depth), way.metres) : INFINITY;
+    return MistEvent(depth < way.depth ? way.begin + min(mist_reached(way, depth), way.metres) : INFINITY, vec3(1.0));
 }
 
 // The depth is distributed as exp(-depth) within the way. The weight is then the same everywhere.
 MistPoint mist_point(MistWay way, float u) {
     float taken = share_taken(way.depth);
     float depth = min(depth_taking(u * taken), way.depth);
-    return MistPoint(way.begin + min(mist_reached(way, depth), way.metres), taken);
+    return MistPoint(way.begin + min(mist_reached(way, depth), way.metres), vec3(taken));
 }
 
 float mist_excess(Ray ray, float distance, float u) {

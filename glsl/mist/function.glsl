@@ -52,14 +52,14 @@ MistTrack mist_walk(MistWay way, float depth, uint number) {
     return track;
 }
 
-float mist_kept(MistWay way) {
+vec3 mist_kept(MistWay way) {
     mist_track += 1u;
-    return mist_walk(way, way.depth, mist_track).kept;
+    return vec3(mist_walk(way, way.depth, mist_track).kept);
 }
 
 // The numbers are the path's own, so that u has no use.
-float mist_event(MistWay way, float u) {
-    return mist_walk(way, way.depth, 0u).event;
+MistEvent mist_event(MistWay way, float u) {
+    return MistEvent(mist_walk(way, way.depth, 0u).event, vec3(1.0));
 }
 
 // The place is drawn as if the mist were that of the annotation. The weight makes up for it.
@@ -68,7 +68,7 @@ MistPoint mist_point(MistWay way, float u) {
     float depth = min(depth_taking(u * taken), way.depth);
     float t = way.begin + min(mist_reached(way, depth), way.metres);
     float share = clamp(mist_density(way.ray, t), 0.0, 1.0);
-    return MistPoint(t, taken * share * exp(depth) * mist_walk(way, depth, 1u).kept);
+    return MistPoint(t, vec3(taken * share * exp(depth) * mist_walk(way, depth, 1u).kept));
 }
 
 float mist_excess(Ray ray, float distance, float u) {

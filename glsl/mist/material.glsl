@@ -1,5 +1,5 @@
 // What a path meets in mist that is there.
-#include "mist/ask.glsl"
+#include "mist/air_none.glsl"
 #include "mist/material/mist.glsl"
 #include "mist/values.glsl"
 
@@ -7,6 +7,6 @@ bool mist_here() {
     return true;
 }
 
-Material mist_material() {
+Material mist_material(vec3 position) {
     return material_new(MATERIAL_MIST, mist_albedo());
 }

@@ -1,5 +1,5 @@
 // For a scene without mist.
-#include "mist/ask.glsl"
+#include "mist/air_none.glsl"
 
 bool mist_here() {
     return false;
@@ -12,22 +12,22 @@ MistWay mist_way(Ray ray, float distance) {
     return MistWay(ray, 0.0, 0.0, 0.0, 0.0, 0.0);
 }
 
-float mist_kept(MistWay way) {
-    return 1.0;
+vec3 mist_kept(MistWay way) {
+    return vec3(1.0);
 }
 
-float mist_event(MistWay way, float u) {
-    return INFINITY;
+MistEvent mist_event(MistWay way, float u) {
+    return MistEvent(INFINITY, vec3(1.0));
 }
 
 MistPoint mist_point(MistWay way, float u) {
-    return MistPoint(0.0, 0.0);
+    return MistPoint(0.0, vec3(0.0));
 }
 
 float mist_excess(Ray ray, float distance, float u) {
     return 0.0;
 }
 
-Material mist_material() {
+Material mist_material(vec3 position) {
     return material_new(-1, vec3(0.0));
 }

@@ -39,7 +39,9 @@ void main() {
         Ray ray = camera_ray(vec2(pixel), place);
         Hit hit = surface_hit(ray);
         mist_begin(place);
-        kept += mist_kept(mist_way(ray, hit.t));
+        // The luminance, written so that grey stays the same to the bit.
+        vec3 through = mist_kept(mist_way(ray, hit.t));
+        kept += through.y + 0.2126 * (through.x - through.y) + 0.0722 * (through.z - through.y);
         if (hit.t < INFINITY) {
             vec3 color = scene_material(hit).color;
             albedo += vec4(is_finite(color) ? clamp(color, 0.0, 1.0) : vec3(0.0), 1.0);

@@ -15,5 +15,5 @@ SunState sun_after_bounce(SunState state, Hit hit, Material material, vec3 incom
 }
 
 vec3 sun_escaped(SunState state, vec3 direction) {
-    return sun_radiance(direction);
+    return state.found == SUN_SOUGHT ? vec3(0.0) : sun_radiance(direction);
 }

@@ -149,6 +149,7 @@ static void print_scene(const Scene *scene, bool whole) {
     print_camera(&scene->values.camera);
     print_hints(scene);
     print_mist(scene);
+    if (scene->file->air_line) printf("  air %s\n", scene_has_air(scene) ? "on" : "off");
     for (int i = 0; i < scene->file->parameter_count; i++) {
         const Parameter *p = &scene->file->parameters[i];
         printf("  --set %s=", p->name);

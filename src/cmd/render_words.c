@@ -96,6 +96,7 @@ static void warn_search(const RenderJob *job) {
 
 static void warn_chance(const RenderJob *job) {
     const ChanceShares *chance = &job->chance;
+    const Plan *plan = &job->renderer.plan;
     char throwers[200];
     if (job->renderer.sun_by_chance)
         fprintf(stderr, "magichour: warning: --sun-disk=chance: all sunlight is found by chance\n");
@@ -105,8 +106,9 @@ static void warn_chance(const RenderJob *job) {
             "magichour: warning: %s: sunlight that is thrown by %s is found by chance: about %.2g %% of the "
             "picture's light, in %.2g %% of its pixels (%.2g %% of the paths)%s\n",
             job->scene.file->path, throwers, 100 * chance->light, 100 * chance->pixels, 100 * chance->paths,
-            job->renderer.plan.sun.method->traces_light ? ": it is seen in mirrors or through glass"
-                                                        : "; --sun-disk=traced finds most of it");
+            plan->sun.method->traces_light ? ": it is seen in mirrors or through glass"
+            : plan->mist || plan->air      ? ""
+                                           : "; --sun-disk=traced finds most of it");
 }
 
 static void warn_promise(const RenderJob *job) {

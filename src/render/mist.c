@@ -1,5 +1,7 @@
 #include "render/mist.h"
 
+#include <stdio.h>
+
 static const char *const regions[] = {
     [MIST_EVERYWHERE] = "mist/region_everywhere.glsl",
     [MIST_SPHERE] = "mist/region_sphere.glsl",
@@ -7,9 +9,26 @@ static const char *const regions[] = {
     [MIST_BELOW] = "mist/region_below.glsl",
 };
 
-void mist_slots(SlotList *slots, const Scene *scene) {
+/* Air that the sky's own light comes from is lit by the sun, and scatters light as often as the sky's air.
+ * With any other sky it is lit by that, and by the sun if its disk shines. */
+static void air_slots(SlotList *slots, const Plan *plan, const Scene *scene) {
+    char light[96];
+    bool of_sky = plan->sky.method->integrates;
+    bool again = !of_sky || scene->values.atmosphere.orders > 1;
+    bool sunlit = of_sky || plan->sun.method->has_disk;
+    snprintf(light, sizeof light, "const bool AIR_SCATTERS_AGAIN = %s;\nconst bool AIR_SUNLIT = %s;",
+             again ? "true" : "false", sunlit ? "true" : "false");
+    slot_text(slots, "air-light", light);
+    slot_file(slots, "mist", "pass/air.glsl");
+}
+
+void mist_slots(SlotList *slots, const Plan *plan, const Scene *scene) {
     const Mist *mist = &scene->file->mist;
     Text values = {0};
+    if (plan->air) {
+        air_slots(slots, plan, scene);
+        return;
+    }
     if (!scene_has_mist(scene)) {
         slot_file(slots, "mist", "mist/none.glsl");
         return;

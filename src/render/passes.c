@@ -6,6 +6,7 @@
 #include "render/spheres.h"
 #include "sky/further.h"
 #include "sky/irradiance.h"
+#include "sky/scene_air.h"
 #include "sky/sky_sampler.h"
 #include "sky/sun.h"
 
@@ -80,7 +81,7 @@ static void scene_slots(SlotList *slots, const Plan *plan, const Scene *scene) {
     slot_file(slots, "scene", scene->file->path);
     slot_file(slots, "spheres", spheres_slot(scene));
     slot_file(slots, "emission", emission);
-    mist_slots(slots, scene);
+    mist_slots(slots, plan, scene);
     hint_slot(slots, "bounds", scene, HINT_BOUND);
     hint_slot(slots, "mirror-spheres", scene, HINT_MIRROR_SPHERE);
     hint_slot(slots, "mirror-planes", scene, HINT_MIRROR_PLANE);
@@ -149,6 +150,7 @@ void frame_uniforms(const Frame *frame, const Plan *plan, unsigned seed, Uniform
     sky_uniforms(frame, uniforms);
     camera_uniforms(&frame->camera, uniforms);
     inputs_uniforms(frame, uniforms);
+    if (plan->air) scene_air_uniforms(&frame->state.atmosphere, uniforms);
     uniforms_declared_in(uniforms, "pass/trace.glsl");
     uniforms_uint(uniforms, "seed", seed);
     uniforms_int(uniforms, "max_hits", plan->max_hits);

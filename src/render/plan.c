@@ -4,6 +4,7 @@
 #include "choice/auto.h"
 #include "gl/loops.h"
 #include "render/inputs.h"
+#include "scene/spectrum.h"
 #include "sky/further.h"
 #include "sky/sky.h"
 #include "sky/sun.h"
@@ -57,6 +58,11 @@ static long hit_iterations(const Plan *plan, const Scene *scene) {
     /* With mist, rays to the sun are sent from two places: the surface, and one in the mist before it. */
     int places = plan->mist ? 2 : 1;
     long rays = 1 + (plan->sun.method->samples_disk ? places : 0), loops = 0;
+    /* The ray from a place in the air, and its light's bands. */
+    if (plan->air) {
+        rays++;
+        loops += spectrum_bands(&scene->values.atmosphere);
+    }
     for (int i = 0; i < HINT_KINDS; i++) {
         HintKind kind = (HintKind)i;
         const HintInfo *info = hint_info(kind);
@@ -122,11 +128,12 @@ static bool mirrors_alone_block(const Scene *scene) {
     return same == bounds;
 }
 
-/* Light paths know Lambert's matte surfaces alone and no mist, and the film has one sum for what is splatted.
+/* Light paths know Lambert's matte surfaces alone, no mist and no air, and the film has one sum for what is
+ * splatted.
  */
 static bool check_light_paths(Plan *plan, const RenderParams *params, Error *error) {
     bool chains = plan->sequence.method->walks_chains, own_lobe = plan->light.method->own_lobe;
-    if (!plan->sun.method->traces_light || !(chains || own_lobe || plan->mist)) return true;
+    if (!plan->sun.method->traces_light || !(chains || own_lobe || plan->mist || plan->air)) return true;
     if (method_is_auto(params->sun_disk)) return method_choose(&plan->sun, METHOD_SUN, "sampled", error);
     if (chains) {
         return error_set(
@@ -134,6 +141,13 @@ static bool check_light_paths(Plan *plan, const RenderParams *params, Error *err
             "--sun-disk %s: light paths cannot be traced beside the chains of --sequence %s; use "
             "--sun-disk sampled",
             plan->sun.text, plan->sequence.text);
+    }
+    if (plan->air) {
+        return error_set(
+            error, STATUS_USAGE,
+            "--sun-disk %s: light paths do not know the air between the surfaces, which %s has in line "
+            "%d; use --sun-disk sampled, or --set air=off",
+            plan->sun.text, params->scene->file->path, params->scene->file->air_line);
     }
     if (plan->mist) {
         return error_set(error, STATUS_USAGE,
@@ -228,6 +242,14 @@ bool plan_counts_chance(const Plan *plan) {
            (plan->needs.throws || !sun->samples_disk);
 }
 
+/* Both would scatter on the same way, with different coefficients and phase functions. */
+static bool refuse_both(const SceneFile *file, Error *error) {
+    return error_set(error, STATUS_SCENE,
+                     "%s:%d: air and mist (line %d) are not computed together, because a way through both "
+                     "has no closed form: --set mist=off or --set air=off leaves one of them out",
+                     file->path, file->air_line, file->mist.line);
+}
+
 bool plan_choose(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
     plan->max_hits = params->max_hits ? params->max_hits : UNLIMITED_HITS;
     plan->ozone = params->scene->values.atmosphere.ozone > 0;
@@ -235,6 +257,8 @@ bool plan_choose(Plan *plan, const RenderParams *params, const Context *context,
     plan->has_orders = params->scene->values.atmosphere.orders > 1;
     plan->spectrum = params->scene->values.atmosphere.spectrum;
     plan->mist = scene_has_mist(params->scene);
+    plan->air = scene_has_air(params->scene);
+    if (plan->mist && plan->air) return refuse_both(params->scene->file, error);
     return choose_methods(plan, params, error) && choose_group(plan, params, context, error);
 }
 
@@ -247,5 +271,5 @@ bool plan_same_programs(const Plan *a, const Plan *b) {
     return strcmp(a->sky.text, b->sky.text) == 0 && strcmp(a->light.text, b->light.text) == 0 &&
            strcmp(a->sequence.text, b->sequence.text) == 0 && strcmp(a->sun.text, b->sun.text) == 0 &&
            a->ozone == b->ozone && a->spectrum == b->spectrum && a->has_further == b->has_further &&
-           a->has_orders == b->has_orders && a->mist == b->mist;
+           a->has_orders == b->has_orders && a->mist == b->mist && a->air == b->air;
 }

@@ -79,6 +79,8 @@ typedef struct Plan {
     double spectrum;
     /* Whether there is mist between the surfaces. */
     bool mist;
+    /* Whether it is the atmosphere's air. */
+    bool air;
     /* Whether the sky has light beyond the first order of the air, and whether it has further orders. */
     bool has_further, has_orders;
 } Plan;

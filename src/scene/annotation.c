@@ -2,6 +2,7 @@
 
 #include "base/known.h"
 #include "base/lines.h"
+#include "scene/annotation_air.h"
 #include "scene/annotation_hints.h"
 #include "scene/annotation_mist.h"
 #include "scene/annotation_parameters.h"
@@ -167,6 +168,7 @@ static const struct {
     {"color", parameters_read_color, false},
     {"spheres", hints_read_spheres, true},
     {"mist", mist_read, false},
+    {"air", air_read, true},
 };
 enum { ANNOTATIONS = sizeof annotations / sizeof *annotations };
 

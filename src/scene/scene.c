@@ -108,6 +108,10 @@ bool scene_has_mist(const Scene *scene) {
     return mist->line && scene->values.parameters[mist->parameter][0] > 0;
 }
 
+bool scene_has_air(const Scene *scene) {
+    return scene->file->air_line && scene->values.parameters[scene->file->air_parameter][0] > 0;
+}
+
 bool scene_is_seen_from_room(const Scene *scene) {
     int portals = scene_hint_count(scene, HINT_PORTAL);
     if (scene->file->hints[HINT_PORTAL].in_glsl) return portals > 0;

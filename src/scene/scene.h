@@ -46,6 +46,9 @@ void scene_hint(const Scene *scene, HintKind kind, int index, double out[MOST_HI
 /* Whether the scene has mist that is switched on. */
 bool scene_has_mist(const Scene *scene);
 
+/* Whether the atmosphere's air lies between the surfaces. */
+bool scene_has_air(const Scene *scene);
+
 /* Whether the camera stands where one of the scene's portals faces, so that it is in the room that light
  * enters there. Where the scene defines its portals in GLSL that is not known, and taken to be so. */
 bool scene_is_seen_from_room(const Scene *scene);

@@ -52,6 +52,9 @@ typedef struct SceneFile {
     int preset_count;
     HintList hints[HINT_KINDS];
     Mist mist;
+    /* Of the atmosphere's air between the surfaces: the annotation's line, 0 where there is none, and the
+     * parameter that switches it on and off. */
+    int air_line, air_parameter;
     /* For hit_spheres(): how many spheres there are, as a number or a slider's name, or a CSV file that has
      * them; empty if there are none. */
     char spheres[256];
