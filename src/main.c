@@ -1,3 +1,4 @@
+#include "base/budget.h"
 #include "base/descriptor.h"
 #include "base/version.h"
 #include "cmd/cmd.h"
@@ -92,6 +93,7 @@ int main(int argc, char **argv) {
         status = answer(&options);
     } else {
         options_warn(&options);
+        budget_set(options.max_memory);
         status = run(&options, argc, argv, &error);
     }
     if (error.text[0] && status != STATUS_DONE) fprintf(stderr, "magichour: %s\n", error.text);

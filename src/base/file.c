@@ -23,11 +23,15 @@ static bool file_too_large(const char *path, const FileBounds *bounds, size_t si
                      path, bounds->most);
 }
 
+/* How many bytes tell the kind of a file. */
+enum { ENOUGH_TO_KNOW = 8 };
+
 /* Appends all of an open file, `expected` bytes if it does not change meanwhile. */
 static bool read_all(int descriptor, const char *path, const FileBounds *bounds, size_t expected, Text *text,
                      Error *error) {
     size_t start = text->size;
     ssize_t got = 1;
+    bool asked = !bounds->begins_well;
     text_reserve(text, expected);
     while (got > 0 && text->size - start <= bounds->most) {
         char buffer[16384];
@@ -36,6 +40,10 @@ static bool read_all(int descriptor, const char *path, const FileBounds *bounds,
             got = 1;
         else if (got > 0)
             text_append(text, buffer, (size_t)got);
+        if (!asked && text->size - start >= ENOUGH_TO_KNOW) {
+            asked = true;
+            if (!bounds->begins_well(text)) return true;
+        }
     }
     if (got < 0) return error_set(error, bounds->status, "%s: cannot be read: %s", path, strerror(errno));
     return text->size - start <= bounds->most || file_too_large(path, bounds, 0, error);
@@ -57,7 +65,7 @@ bool file_read_within(const char *path, const FileBounds *bounds, Text *text, Er
 }
 
 bool file_read(const char *path, Status status, Text *text, Error *error) {
-    return file_read_within(path, &(FileBounds){status, FILE_MOST}, text, error);
+    return file_read_within(path, &(FileBounds){.status = status, .most = FILE_MOST}, text, error);
 }
 
 bool file_read_input(const FileBounds *bounds, Text *text, Error *error) {

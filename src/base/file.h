@@ -7,6 +7,9 @@
 typedef struct FileBounds {
     Status status;
     size_t most;
+    /* If it is not NULL, it is asked once, as soon as the first bytes are there; if they are not those of the
+     * right kind, nothing more is read. */
+    bool (*begins_well)(const Text *start);
 } FileBounds;
 
 /* The most bytes of any file. */

@@ -24,7 +24,7 @@ bool lines_read_open(int descriptor, const char *path, const FileBounds *bounds,
 
 bool lines_read(const char *path, Status status, Text *text, Error *error) {
     size_t start = text->size;
-    return file_read_within(path, &(FileBounds){status, LINES_MOST}, text, error) &&
+    return file_read_within(path, &(FileBounds){.status = status, .most = LINES_MOST}, text, error) &&
            content_check(path, status, text, start, error);
 }
 

@@ -1,3 +1,4 @@
+#include "base/budget.h"
 #include "base/clock.h"
 #include "base/vec3.h"
 #include "base/version.h"
@@ -12,6 +13,7 @@
 #include "sky/sun_disk.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -19,6 +21,8 @@
 enum { DISK_SAMPLES = 16 };
 /* The directions that the probe draws at a time. */
 enum { DRAWN = 65536 };
+/* The map, and its file while it is written. */
+enum { BYTES_A_PIXEL = 48 };
 static const double piece_seconds = 0.3;
 
 /* Maps. Row 0 is +y, the middle column is +z, and +x is a quarter of the width from the left: the lat-long
@@ -118,7 +122,10 @@ static bool make_map(SkyJob *job, int argc, char **argv, Error *error) {
     const Options *options = job->options;
     int width = options->width ? options->width : 1024,
         height = options->height ? options->height : width / 2;
-    if (!scene_check_size(width, height, error) || !outputs_check(options, error)) return false;
+    size_t bytes = (size_t)width * (size_t)height * BYTES_A_PIXEL;
+    if (!scene_check_size(width, height, error) ||
+        !budget_take(bytes, SIZE_MAX, STATUS_USAGE, "the map", error) || !outputs_check(options, error))
+        return false;
     MethodChoice disk;
     if (!sun_choose(&disk, options->sun_disk, &job->scene, error) ||
         !sky_job_open(job, &job->scene.values.atmosphere, (double)width * height, error)) {

@@ -187,6 +187,13 @@ const OptionRow option_table[] = {
      "let the scene read the files of this folder, besides those of its own and of the library; may be "
      "repeated",
      NULL},
+    {GROUP_OTHER, "--max-memory", "SIZE", C, TAKE(take_max_memory),
+     "the memory that all pictures together may take, such as 500M or 4G; by default each may take 256M and "
+     "64 "
+     "times its file",
+     NULL},
+    {GROUP_OTHER, "--max-memory", "SIZE", R | V | S | H | E, TAKE(take_max_memory),
+     "refuse a picture that needs more memory than this, such as 500M or 4G", NULL},
     {GROUP_OTHER, "--progress", "KIND", R | S | H | E, WORD(progress, "tty,lines,json,none"),
      "tty (a line that is written over), lines (one every 5 seconds), json or none; tty on a terminal, else "
      "lines",

@@ -3,6 +3,7 @@
 #include "base/known.h"
 #include "base/number.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -32,6 +33,24 @@ bool take_allowed(Options *options, const char *name, const char *value, Error *
     if (options->allowed_count == MOST)
         return error_set(error, STATUS_USAGE, "%s more than %d times", name, MOST);
     options->allowed[options->allowed_count++] = value;
+    return true;
+}
+
+bool take_max_memory(Options *options, const char *name, const char *value, Error *error) {
+    static const char suffixes[] = "KMGT";
+    static const double least = 1 << 20, most = 0x1p50;
+    char digits[64];
+    size_t length = strlen(value);
+    const char *suffix = length ? strchr(suffixes, value[length - 1]) : NULL;
+    snprintf(digits, sizeof digits, "%.*s", (int)(length - (suffix != NULL)), value);
+    double number, unit = suffix ? exp2(10 * (double)(suffix - suffixes + 1)) : 1;
+    if (length >= sizeof digits || !number_parse(digits, &number) || !(number * unit >= least) ||
+        number * unit > most)
+        return error_set(
+            error, STATUS_USAGE,
+            "%s: '%.60s' is no size from 1M to 1024T: it takes bytes, or K, M, G or T behind a number", name,
+            value);
+    options->max_memory = (size_t)(number * unit);
     return true;
 }
 

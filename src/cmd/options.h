@@ -104,6 +104,9 @@ typedef struct Options {
 
     const char *standard_error, *mask;
 
+    /* Bytes that pictures may take. */
+    size_t max_memory;
+
     /* For `compare`: the pixels of the sun's own image are compared too. */
     bool with_sun;
 

@@ -1,8 +1,10 @@
 #include "gl/context.h"
 
+#include "base/budget.h"
 #include "base/known.h"
 #include "base/text.h"
 
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -11,6 +13,10 @@ static const Backend *const backends[] = {&backend_egl, &backend_osmesa, &backen
 const Backend *context_backend(int index) {
     return index >= 0 && index < (int)(sizeof backends / sizeof *backends) ? backends[index] : NULL;
 }
+
+/* What a process takes before its first pixel, with the tables of the sky and the compiled shaders: 95 to 194
+ * MiB with llvmpipe. */
+#define DRIVER_BYTES ((size_t)192 << 20)
 
 static bool describe(Context *context, Error *error) {
     const GlApi *gl = &context->gl;
@@ -51,6 +57,7 @@ bool context_adopt(Context *context, GlProc (*getproc)(const char *), Error *err
 }
 
 bool context_open(Context *context, const char *name, Error *error) {
+    if (!budget_take(DRIVER_BYTES, SIZE_MAX, STATUS_USAGE, "the OpenGL driver", error)) return false;
     bool automatic = !name || strcmp(name, "auto") == 0;
     Known known = known_to(automatic ? "" : name, automatic ? 0 : strlen(name));
     Text reasons = {0};

@@ -1,10 +1,12 @@
 #include "gl/film.h"
 
+#include "base/budget.h"
 #include "base/memory.h"
 #include "gl/texture.h"
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,6 +29,16 @@ static void clear_light(Film *film) {
     if (film->light) film_light_clear(film->light);
 }
 
+/* The second sum on both sides and joined, and what the light that is left to chance takes when it is
+ * read. */
+static bool take_memory(Film *film, Error *error) {
+    size_t pixel = (film->parts & FILM_LIGHT ? 48U : 0U) + (film->parts & FILM_CHANCE ? 36U : 0U);
+    size_t bytes = pixel * pixel_count(film);
+    if (!budget_take(bytes, SIZE_MAX, STATUS_USAGE, "the light that is traced", error)) return false;
+    film->memory = bytes;
+    return true;
+}
+
 bool film_create(Film *film, const Context *context, int width, int height, unsigned parts, Error *error) {
     unsigned outputs = 1U << SUM | 1U << REST;
     if (parts & FILM_SCATTER) outputs |= 1U << SCATTER;
@@ -35,6 +47,10 @@ bool film_create(Film *film, const Context *context, int width, int height, unsi
     if (parts & FILM_REJECTS) outputs |= 1U << REJECTS;
     *film = (Film){.width = width, .height = height, .parts = parts, .light_scale = 1};
     if (!target_create(&film->target, context, width, height, outputs, error)) return false;
+    if (!take_memory(film, error)) {
+        film_destroy(film);
+        return false;
+    }
     if (parts & FILM_LIGHT) {
         film->light = film_light_create(&context->gl, width, height);
         create_texture(film, &film->joined, &film->joined_framebuffer);
@@ -50,6 +66,7 @@ void film_destroy(Film *film) {
         film->target.gl->DeleteFramebuffers(1, &film->joined_framebuffer);
         film->target.gl->DeleteTextures(1, &film->joined);
     }
+    budget_give(film->memory);
     target_destroy(&film->target);
     *film = (Film){0};
 }

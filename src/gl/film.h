@@ -64,6 +64,8 @@ typedef struct Film {
     double light_paths;
     /* The radiance of a pixel for light / light_paths = 1. It is 1 unless the film's user sets another. */
     double light_scale;
+    /* The bytes that were taken beside those of the target (base/budget.h). */
+    size_t memory;
 } Film;
 
 typedef struct FilmCount {

@@ -1,6 +1,10 @@
 #include "gl/target.h"
 
+#include "base/budget.h"
 #include "gl/texture.h"
+
+#include <stdint.h>
+#include <stdio.h>
 
 /* Makes all textures of the bound framebuffer the ones that are drawn into. */
 static void draw_to_all(const Target *target) {
@@ -30,6 +34,21 @@ static bool create_side(Target *target, int side, unsigned outputs, Error *error
     return true;
 }
 
+/* What a pixel of an output takes on both sides, and what reading and writing a picture takes at its end: by
+ * the memory of processes that drew scenes, and somewhat more. */
+enum { BYTES_AN_OUTPUT = 32, BYTES_TO_READ = 72 };
+
+static bool take_memory(Target *target, unsigned outputs, Error *error) {
+    size_t pixel = BYTES_TO_READ;
+    char what[64];
+    for (; outputs; outputs >>= 1) pixel += (outputs & 1) * BYTES_AN_OUTPUT;
+    snprintf(what, sizeof what, "a picture of %dx%d pixels", target->width, target->height);
+    size_t bytes = pixel * (size_t)target->width * (size_t)target->height;
+    if (!budget_take(bytes, SIZE_MAX, STATUS_USAGE, what, error)) return false;
+    target->memory = bytes;
+    return true;
+}
+
 bool target_create(Target *target, const Context *context, int width, int height, unsigned outputs,
                    Error *error) {
     *target = (Target){.gl = &context->gl, .width = width, .height = height};
@@ -37,7 +56,8 @@ bool target_create(Target *target, const Context *context, int width, int height
         return error_set(error, STATUS_USAGE, "picture size %dx%d: this OpenGL's limit is %dx%d", width,
                          height, context->max_texture_size, context->max_texture_size);
     }
-    if (!create_side(target, 0, outputs, error) || !create_side(target, 1, outputs, error)) {
+    if (!take_memory(target, outputs, error) || !create_side(target, 0, outputs, error) ||
+        !create_side(target, 1, outputs, error)) {
         target_destroy(target);
         return false;
     }
@@ -47,6 +67,7 @@ bool target_create(Target *target, const Context *context, int width, int height
 
 void target_destroy(Target *target) {
     if (!target->gl) return;
+    budget_give(target->memory);
     target->gl->DeleteFramebuffers(2, target->framebuffer);
     for (int side = 0; side < 2; side++) target->gl->DeleteTextures(TARGET_TEXTURES, target->textures[side]);
     *target = (Target){0};

@@ -14,10 +14,13 @@ typedef struct Target {
     GLuint textures[2][TARGET_TEXTURES];
     GLuint framebuffer[2];
     int front;
+    /* The bytes that were taken for it (base/budget.h). */
+    size_t memory;
 } Target;
 
 /* Creates the target with both sides zero. `outputs` has a bit for each output of the shader that gets a
- * texture. A size beyond this OpenGL's limit is STATUS_USAGE. */
+ * texture. A size beyond this OpenGL's limit, or one that needs more memory than is allowed, is
+ * STATUS_USAGE. */
 MUST_CHECK bool target_create(Target *target, const Context *context, int width, int height, unsigned outputs,
                               Error *error);
 void target_destroy(Target *target);

@@ -1,8 +1,10 @@
 #include "image/compare.h"
 
+#include "base/budget.h"
 #include "base/memory.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -175,6 +177,9 @@ static void gather(Gathered *sums, const Image *a, const Image *b, const Compare
     }
 }
 
+/* What a comparison takes for each pixel, with the marks of the command. */
+enum { BYTES_A_PIXEL = 52 };
+
 bool compare_images(const Image *a, const Image *b, const CompareOptions *options, Comparison *result,
                     Error *error) {
     static const CompareOptions defaults = {0};
@@ -183,6 +188,7 @@ bool compare_images(const Image *a, const Image *b, const CompareOptions *option
     if (!sizes_check(a, b, options, error)) return false;
 
     size_t pixels = (size_t)b->width * (size_t)b->height;
+    if (!budget_take(pixels * BYTES_A_PIXEL, SIZE_MAX, STATUS_FAILURE, "the comparison", error)) return false;
     Gathered sums = {.pixel_squares = memory_get(pixels, sizeof(double)),
                      .pixel_b = memory_get(pixels, sizeof(double)),
                      .distances = memory_get(pixels, 3 * sizeof(double))};

@@ -207,7 +207,7 @@ bool exr_layer_find(exr_context_t file, const char *name, const char *path, ExrL
     exr_result_t result = list_fill(file, &list);
     bool found = false;
     if (result) {
-        error_set(error, STATUS_FAILURE, "%s: broken EXR: %s", path, exr_reason(result));
+        exr_broken(result, path, error);
     } else {
         names_part(&list);
         const ExrLayer *chosen = name ? layer_named(&list, name) : layer_default(&list);

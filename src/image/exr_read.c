@@ -1,4 +1,5 @@
 #include "image/codec.h"
+#include "image/exr_bounds.h"
 #include "image/exr_layers.h"
 #include "image/exr_lossy.h"
 #include "image/exr_stream.h"
@@ -119,10 +120,6 @@ static exr_result_t tiles_decode(const Reader *reader) {
     return result;
 }
 
-static bool broken_error(const char *reason, const char *path, Error *error) {
-    return error_set(error, STATUS_FAILURE, "%s: broken EXR: %s", path, reason);
-}
-
 /* As of 3.1.5, OpenEXR's C library lacks DWA, and its B44 gives wrong pictures. */
 static bool is_lossy(exr_compression_t compression) {
     return compression > EXR_COMPRESSION_PXR24;
@@ -133,7 +130,7 @@ static bool lossy_decode(const Reader *reader, const Text *file, const char *pat
     const char *names[4] = {NULL};
     char reason[256];
     exr_result_t result = exr_get_channels(reader->file, reader->layer.part, &list);
-    if (result) return broken_error(exr_reason(result), path, error);
+    if (result) return exr_broken(result, path, error);
     for (int c = 0; c < 4; c++) {
         if (reader->layer.channels[c] >= 0) names[c] = list->entries[reader->layer.channels[c]].name.str;
     }
@@ -142,44 +139,18 @@ static bool lossy_decode(const Reader *reader, const Text *file, const char *pat
     memcpy(lossy.channels, names, sizeof names);
     if (exr_lossy_decode(&lossy, reader->image, reason, sizeof reason)) return true;
     exr_line_clean(reason);
-    return broken_error(reason, path, error);
+    return error_set(error, STATUS_FAILURE, "%s: broken EXR: %s", path, reason);
 }
 
 static bool pixels_decode(const Reader *reader, const Text *file, const char *path, Error *error) {
     if (is_lossy(reader->compression)) return lossy_decode(reader, file, path, error);
     exr_result_t result =
         reader->storage == EXR_STORAGE_TILED ? tiles_decode(reader) : scanlines_decode(reader);
-    return result ? broken_error(exr_reason(result), path, error) : true;
-}
-
-static bool size_check(exr_attr_box2i_t window, const char *what, const char *path, Error *error) {
-    int64_t width = (int64_t)window.max.x - window.min.x + 1;
-    int64_t height = (int64_t)window.max.y - window.min.y + 1;
-    if (width >= 1 && height >= 1 && width <= IMAGE_SIDE_MAX && height <= IMAGE_SIDE_MAX &&
-        width * height <= IMAGE_PIXELS_MAX)
-        return true;
-    return error_set(error, STATUS_FAILURE,
-                     "%s: EXR with a %s window of %lldx%lld: at most %dx%d and %ld pixels can be read", path,
-                     what, (long long)width, (long long)height, IMAGE_SIDE_MAX, IMAGE_SIDE_MAX,
-                     IMAGE_PIXELS_MAX);
-}
-
-static bool windows_check(const Reader *reader, const char *path, Error *error) {
-    const exr_attr_box2i_t *data = &reader->data, *display = &reader->display;
-    if (!size_check(*data, "data", path, error) || !size_check(*display, "display", path, error))
-        return false;
-    if (data->min.x <= display->max.x && data->max.x >= display->min.x && data->min.y <= display->max.y &&
-        data->max.y >= display->min.y)
-        return true;
-    return error_set(error, STATUS_FAILURE,
-                     "%s: EXR whose data window (from %d,%d to %d,%d) is outside of its display window (from "
-                     "%d,%d to %d,%d)",
-                     path, data->min.x, data->min.y, data->max.x, data->max.y, display->min.x, display->min.y,
-                     display->max.x, display->max.y);
+    return !result || exr_broken(result, path, error);
 }
 
 /* Everything up to the pixels: fills the reader, and the size of the data window. */
-static bool header_read(Reader *reader, const char *path, Error *error) {
+static bool header_read(Reader *reader, const char *path, const Text *file, Error *error) {
     int part = reader->layer.part;
     const exr_attr_chlist_t *list = NULL;
     exr_result_t result = exr_get_storage(reader->file, part, &reader->storage);
@@ -187,7 +158,7 @@ static bool header_read(Reader *reader, const char *path, Error *error) {
     if (!result) result = exr_get_data_window(reader->file, part, &reader->data);
     if (!result) result = exr_get_display_window(reader->file, part, &reader->display);
     if (!result) result = exr_get_channels(reader->file, part, &list);
-    if (result) return broken_error(exr_reason(result), path, error);
+    if (result) return exr_broken(result, path, error);
 
     if (reader->storage != EXR_STORAGE_SCANLINE && reader->storage != EXR_STORAGE_TILED)
         return error_set(error, STATUS_FAILURE, "%s: deep EXR pictures cannot be read", path);
@@ -195,7 +166,7 @@ static bool header_read(Reader *reader, const char *path, Error *error) {
         if (list->entries[i].x_sampling != 1 || list->entries[i].y_sampling != 1)
             return error_set(error, STATUS_FAILURE, "%s: EXR with subsampled channels cannot be read", path);
     }
-    if (!windows_check(reader, path, error)) return false;
+    if (!exr_bounds_take(reader->file, part, file, path, error)) return false;
     *reader->image = image_create(reader->data.max.x - reader->data.min.x + 1,
                                   reader->data.max.y - reader->data.min.y + 1);
     return true;
@@ -258,7 +229,7 @@ static void window_place(const Reader *reader, Text *said) {
 static bool picture_read(Reader *reader, const char *path, const Text *file, const ImageReadParams *params,
                          Error *error) {
     if (!exr_layer_find(reader->file, params->layer, path, &reader->layer, params->said, error) ||
-        !header_read(reader, path, error) || !pixels_decode(reader, file, path, error))
+        !header_read(reader, path, file, error) || !pixels_decode(reader, file, path, error))
         return false;
     if (reader->layer.channels[3] < 0) alpha_fill(reader->image);
     if (reader->layer.plain && reader->layer.kind == EXR_KIND_XYZ) rgb_from_xyz(reader->image);
@@ -270,6 +241,7 @@ static bool picture_read(Reader *reader, const char *path, const Text *file, con
 bool exr_decode(Image *image, const char *path, const Text *file, const ImageReadParams *params,
                 Error *error) {
     *image = (Image){0};
+    if (!exr_bounds_count(file, path, error)) return false;
     ExrStream stream = {.in = file};
     exr_context_initializer_t settings = exr_settings(&stream);
     /* Broken headers and truncated pictures are errors: OpenEXR would make up what is missing. */
@@ -277,7 +249,7 @@ bool exr_decode(Image *image, const char *path, const Text *file, const ImageRea
 
     Reader reader = {.image = image};
     exr_result_t result = exr_start_read(&reader.file, path, &settings);
-    if (result) return broken_error(exr_reason(result), path, error);
+    if (result) return exr_broken(result, path, error);
     bool read = picture_read(&reader, path, file, params ? params : &(ImageReadParams){0}, error);
     exr_finish(&reader.file);
     if (!read) image_free(image);

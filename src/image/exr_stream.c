@@ -27,6 +27,11 @@ const char *exr_reason(exr_result_t code) {
     return complaint[0] ? complaint : exr_get_default_error_message(code);
 }
 
+bool exr_broken(exr_result_t code, const char *path, Error *error) {
+    if (code == EXR_ERR_OUT_OF_MEMORY) return error_set(error, STATUS_FAILURE, "%s: out of memory", path);
+    return error_set(error, STATUS_FAILURE, "%s: broken EXR: %s", path, exr_reason(code));
+}
+
 static int64_t stream_size(exr_const_context_t context, void *data) {
     (void)context;
     return (int64_t)((const ExrStream *)data)->in->size;

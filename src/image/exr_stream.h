@@ -19,5 +19,8 @@ exr_context_initializer_t exr_settings(ExrStream *stream);
 /* Why OpenEXR failed, in one line. */
 const char *exr_reason(exr_result_t code);
 
+/* Fails with STATUS_FAILURE and exr_reason(). */
+bool exr_broken(exr_result_t code, const char *path, Error *error);
+
 /* Names out of a broken file may hold anything; an error is one line. */
 void exr_line_clean(char *line);

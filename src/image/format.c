@@ -1,5 +1,6 @@
 #include "image/format.h"
 
+#include "base/budget.h"
 #include "base/file.h"
 #include "image/codec.h"
 #include "image/exr_attribute.h"
@@ -94,28 +95,47 @@ bool image_read(Image *image, const char *path, Error *error) {
     return image_read_as(image, path, NULL, error);
 }
 
+static bool begins_with(const Text *file, const char *bytes) {
+    size_t size = strlen(bytes);
+    return file->size >= size && memcmp(file->data, bytes, size) == 0;
+}
+
+static bool is_exr(const Text *file) {
+    return begins_with(file, "\x76\x2f\x31\x01");
+}
+
+static bool is_pfm(const Text *file) {
+    return begins_with(file, "PF") || begins_with(file, "Pf");
+}
+
+static bool is_png(const Text *file) {
+    return begins_with(file, "\x89PNG");
+}
+
+static bool is_picture(const Text *file) {
+    return is_exr(file) || is_pfm(file) || is_png(file);
+}
+
+static bool decode(Image *image, const char *path, const Text *file, const ImageReadParams *params,
+                   Error *error) {
+    if (is_exr(file)) return exr_decode(image, path, file, params, error);
+    if (params && params->layer)
+        return error_set(error, STATUS_FAILURE, "%s: no layer '%s': only EXR has layers", path,
+                         params->layer);
+    if (is_pfm(file)) return pfm_decode(image, path, file, error);
+    if (is_png(file)) return png_decode(image, path, file, params, error);
+    return error_set(error, STATUS_FAILURE, "%s: neither an EXR nor a PFM nor a PNG picture", path);
+}
+
 bool image_read_as(Image *image, const char *path, const ImageReadParams *params, Error *error) {
     *image = (Image){0};
     Text file = {0};
+    /* What is no picture is not read to its end, which a stream may not have. */
+    FileBounds bounds = {.status = STATUS_FAILURE, .most = budget_left(FILE_MOST), .begins_well = is_picture};
     bool input = strcmp(path, "-") == 0;
-    bool read = input ? file_read_input(&(FileBounds){STATUS_FAILURE, FILE_MOST}, &file, error)
-                      : file_read(path, STATUS_FAILURE, &file, error);
-    if (input) path = "standard input";
-    if (read) {
-        const char *start = text_string(&file);
-        if (file.size >= 4 && memcmp(start, "\x76\x2f\x31\x01", 4) == 0) {
-            read = exr_decode(image, path, &file, params, error);
-        } else if (params && params->layer) {
-            read = error_set(error, STATUS_FAILURE, "%s: no layer '%s': only EXR has layers", path,
-                             params->layer);
-        } else if (file.size >= 2 && (memcmp(start, "PF", 2) == 0 || memcmp(start, "Pf", 2) == 0)) {
-            read = pfm_decode(image, path, &file, error);
-        } else if (file.size >= 4 && memcmp(start, "\x89PNG", 4) == 0) {
-            read = png_decode(image, path, &file, params, error);
-        } else {
-            read = error_set(error, STATUS_FAILURE, "%s: neither an EXR nor a PFM nor a PNG picture", path);
-        }
-    }
+    bool read =
+        input ? file_read_input(&bounds, &file, error) : file_read_within(path, &bounds, &file, error);
+    read = read && decode(image, input ? "standard input" : path, &file, params, error);
     if (read && params && params->bytes)
         *params->bytes = file;
     else

@@ -1,5 +1,6 @@
 #include "base/number.h"
 #include "image/codec.h"
+#include "image/image_bounds.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -89,6 +90,8 @@ bool pfm_decode(Image *image, const char *path, const Text *file, Error *error) 
                          file->size - header.size < expected ? "truncated" : "overlong",
                          file->size - header.size, expected);
     }
+    if (!image_bounds_take(path, (size_t)header.width, (size_t)header.height, 0, file->size, error))
+        return false;
 
     *image = image_create(header.width, header.height);
     float scale = (float)fabs(header.scale);

@@ -1,4 +1,5 @@
 #include "image/codec.h"
+#include "image/image_bounds.h"
 #include "image/png_attribute.h"
 
 #include "base/memory.h"
@@ -41,6 +42,9 @@ static void bytes_take(png_structp png, png_bytep bytes, size_t size) {
 static bool header_read(png_structp png, png_infop info) {
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_user_limits(png, IMAGE_SIDE_MAX, IMAGE_SIDE_MAX);
+    /* Texts and profiles, which may be packed a thousandfold. */
+    png_set_chunk_malloc_max(png, 2 << 20);
+    png_set_chunk_cache_max(png, 64);
     png_read_info(png, info);
     return true;
 }
@@ -89,6 +93,9 @@ static bool picture_read(png_structp png, png_infop info, const PngSource *sourc
         return error_set(source->error, STATUS_FAILURE, "%s: PNG with the gamma %g: only sRGB's can be read",
                          source->path, gamma);
     size_t row = 4 * (size_t)width * (size_t)(depth / 8);
+    if (!image_bounds_take(source->path, (size_t)width, (size_t)height,
+                           (row + sizeof(png_byte *)) * (size_t)height, source->file->size, source->error))
+        return false;
     png_byte *bytes = memory_get((size_t)height, row);
     png_byte **rows = memory_get((size_t)height, sizeof *rows);
     for (int y = 0; y < height; y++) rows[y] = bytes + (size_t)y * row;

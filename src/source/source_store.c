@@ -94,7 +94,7 @@ static bool take_file(SourceStore *store, int descriptor, size_t most, SourceFil
                          "%s is not read: it lies outside of the scene's folder and of the GLSL library "
                          "(--allow-includes DIR allows the files of another folder)",
                          file->path);
-    FileBounds bounds = {STATUS_SCENE, most};
+    FileBounds bounds = {.status = STATUS_SCENE, .most = most};
     if (!lines_read_open(descriptor, file->path, &bounds, &file->text, error)) return false;
     if (most == SOURCE_TABLE_MOST) return true;
     if (!check_bounds(store, file, error)) return false;
