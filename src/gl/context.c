@@ -7,6 +7,8 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 static const Backend *const backends[] = {&backend_egl, &backend_osmesa, &backend_glfw};
 
@@ -56,7 +58,22 @@ bool context_adopt(Context *context, GlProc (*getproc)(const char *), Error *err
     return false;
 }
 
+/* Drivers end the process where the addresses run out (ulimit -v) while they start or compile: llvmpipe with
+ * two threads did so up to 600 MiB, and each thread takes a stack and a heap of its own. */
+static bool check_addresses(Error *error) {
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    size_t needed = ((size_t)512 << 20) + ((size_t)128 << 20) * (size_t)(processors < 16 ? processors : 16);
+    struct rlimit limit;
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= needed)
+        return true;
+    return error_set(
+        error, STATUS_NO_GL,
+        "out of memory: an OpenGL driver needs about %s of addresses, and %s are allowed (ulimit -v)",
+        bytes_up(needed).text, bytes_down((size_t)limit.rlim_cur).text);
+}
+
 bool context_open(Context *context, const char *name, Error *error) {
+    if (!check_addresses(error)) return false;
     if (!budget_take(DRIVER_BYTES, SIZE_MAX, STATUS_USAGE, "the OpenGL driver", error)) return false;
     bool automatic = !name || strcmp(name, "auto") == 0;
     Known known = known_to(automatic ? "" : name, automatic ? 0 : strlen(name));

@@ -12,6 +12,7 @@ extern "C" {
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 #include <stdexcept>
 
 namespace {
@@ -78,6 +79,9 @@ bool exr_lossy_decode(const ExrLossy *lossy, Image *image, char *reason, size_t 
     try {
         picture_fill(*lossy, *image);
         return true;
+    } catch (const std::bad_alloc &) {
+        *reason = 0;
+        return false;
     } catch (const std::exception &exception) {
         std::snprintf(reason, size, "%s", exception.what());
         return false;

@@ -138,6 +138,7 @@ static bool lossy_decode(const Reader *reader, const Text *file, const char *pat
         .file = file, .part = reader->layer.part, .x = reader->data.min.x, .y = reader->data.min.y};
     memcpy(lossy.channels, names, sizeof names);
     if (exr_lossy_decode(&lossy, reader->image, reason, sizeof reason)) return true;
+    if (!*reason) return exr_broken(EXR_ERR_OUT_OF_MEMORY, path, error);
     exr_line_clean(reason);
     return error_set(error, STATUS_FAILURE, "%s: broken EXR: %s", path, reason);
 }
