@@ -141,5 +141,5 @@ dist:
 clean:
 	rm -rf build
 
-include tests/oracle/rules.mk tools/figures.mk
+include tests/oracle/rules.mk tests/fuzz/rules.mk tools/figures.mk
 -include $(OBJECTS:.o=.d) $(TESTS:%=%.d) $(SUPPORT:.o=.d)

@@ -1,0 +1,34 @@
+#!/bin/sh
+# Runs each fuzz target of a build folder for some seconds: tools/fuzz.sh BUILD SECONDS. Called by `make fuzz`. What reaches new code is
+# kept in BUILD/corpus, and what crashes in BUILD/crashes. Fails if a target crashed, hung or took too much memory.
+set -eu
+
+build=${1:?} seconds=${2:?} failed=0
+mkdir -p "$build/crashes"
+for program in "$build"/tests/fuzz/fuzz_*; do
+    case $program in *.o | *.d) continue ;; esac
+    name=$(basename "$program") log=$build/crashes/$(basename "$program").log
+    name=${name#fuzz_}
+    corpus=$build/corpus/$name
+    mkdir -p "$corpus"
+    # scenes/ and the pictures of the tests are seeds as they are.
+    seeds=tests/fuzz/seeds/$name
+    case $name in
+    scene) seeds="$seeds,scenes" ;;
+    exr) seeds="$seeds,tests/data" ;;
+    png) seeds="$seeds,scenes/gallery" ;;
+    esac
+    find $(echo "$seeds" | tr , ' ') -maxdepth 1 -type f -size -256k >"$corpus.list"
+    paste -sd, "$corpus.list" >"$corpus.seeds"
+    status=0
+    UBSAN_OPTIONS=print_stacktrace=1 "$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 -max_len=65536 \
+        -print_final_stats=1 -artifact_prefix="$build/crashes/$name-" -seed_inputs=@"$corpus.seeds" "$corpus" >"$log" 2>&1 || status=$?
+    runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+    covered=$(sed -n 's/.* cov: \([0-9]*\) .*/\1/p' "$log" | tail -n 1)
+    echo "$name: ${runs:-0} runs, ${covered:-0} edges covered, status $status"
+    if [ "$status" != 0 ]; then
+        failed=1
+        grep -a "ERROR\|SUMMARY\|runtime error" "$log" | head -n 5 || true
+    fi
+done
+exit $failed
