@@ -172,6 +172,20 @@ static void test_sizes(void **state) {
     expect_refused("//@ spheres huge.csv", "it has 68000000 bytes, and at most 67108864 can be");
 }
 
+static void test_tables(void **state) {
+    (void)state;
+    assert_int_equal(
+        fault_shell("cd $D && yes 0,30,20,0 | head -n 1000001 >rows.csv; truncate -s 70M long.csv; "
+                    "yes 1,1,1,1 | head -n 2000000 >home/balls2.csv"),
+        0);
+    fault_expect(2, "rows.csv: it has 1000001 lines, and at most 1000000 can be read", "sky --at '%s'",
+                 support_path("rows.csv"));
+    fault_expect(2, "long.csv: cannot be read: it has 73400320 bytes", "sky --at '%s'",
+                 support_path("long.csv"));
+    fault_expect(3, "balls2.csv:1000001: more than 1000000 spheres", "render '%s' -o '%s'",
+                 scene("//@ spheres balls2.csv\n#include \"shape/spheres.glsl\""), support_path("a.exr"));
+}
+
 /* Tiny files that include each other again and again, by two spellings, are read once each. */
 static void test_bomb(void **state) {
     (void)state;
@@ -256,9 +270,9 @@ static void test_names(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places),    cmocka_unit_test(test_allowed), cmocka_unit_test(test_kinds),
-        cmocka_unit_test(test_sizes),     cmocka_unit_test(test_bomb),    cmocka_unit_test(test_long_texts),
-        cmocka_unit_test(test_own_lines), cmocka_unit_test(test_names),
+        cmocka_unit_test(test_places),     cmocka_unit_test(test_allowed),   cmocka_unit_test(test_kinds),
+        cmocka_unit_test(test_sizes),      cmocka_unit_test(test_tables),    cmocka_unit_test(test_bomb),
+        cmocka_unit_test(test_long_texts), cmocka_unit_test(test_own_lines), cmocka_unit_test(test_names),
     };
     return cmocka_run_group_tests_name("foreign", tests, make_folders, support_clean);
 }

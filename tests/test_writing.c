@@ -122,10 +122,18 @@ static void test_streams(void **state) {
     expect(0, "$M " TINY " -o - --format pfm -o $D/s.pfm | head -c 1 >/dev/null; cmp $D/s.pfm $D/true.pfm");
 }
 
+/* A pipe that nobody reads: the first signal ends the wait for its reader. */
+static void test_pipe(void **state) {
+    (void)state;
+    expect(5, "mkfifo $D/pipe; $M " TINY " -o $D/pipe --format pfm & p=$!; sleep 2; kill $p; wait $p");
+    expect_said("pipe: cannot be written: Interrupted system call");
+    expect(0, "$M " TINY " -o $D/pipe --format pfm & p=$!; sleep 1; cmp $D/pipe $D/true.pfm && wait $p");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_left), cmocka_unit_test(test_both),    cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_disk), cmocka_unit_test(test_streams),
+        cmocka_unit_test(test_disk), cmocka_unit_test(test_streams), cmocka_unit_test(test_pipe),
     };
     return cmocka_run_group_tests_name("writing", tests, support_folder, support_clean);
 }

@@ -18,6 +18,7 @@ for program in "$build"/tests/fuzz/fuzz_*; do
     exr) seeds="$seeds,tests/data" ;;
     png) seeds="$seeds,scenes/gallery" ;;
     esac
+    # shellcheck disable=SC2046 # several folders
     find $(echo "$seeds" | tr , ' ') -maxdepth 1 -type f -size -256k >"$corpus.list"
     paste -sd, "$corpus.list" >"$corpus.seeds"
     status=0

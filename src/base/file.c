@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 /* `size` is 0 where it is not known, for a stream. */
@@ -131,8 +132,32 @@ static int write_all(int descriptor, const char *data, size_t size) {
     return 0;
 }
 
+static bool (*stop_waiting)(void);
+
+void file_set_stop(bool (*stop)(void)) {
+    stop_waiting = stop;
+}
+
+/* To open a pipe waits for its reader, and a signal that asks to save and stop would not end that. */
+static int open_in_place(const char *path) {
+    static const struct timespec pause = {.tv_nsec = 20000000};
+    struct stat status;
+    bool pipe = stat(path, &status) == 0 && S_ISFIFO(status.st_mode);
+    int descriptor = open(path, O_WRONLY | O_TRUNC | O_CLOEXEC | (pipe ? O_NONBLOCK : 0));
+    while (descriptor < 0 && pipe && errno == ENXIO) {
+        if (stop_waiting && stop_waiting()) {
+            errno = EINTR;
+            break;
+        }
+        nanosleep(&pause, NULL);
+        descriptor = open(path, O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    }
+    if (descriptor >= 0 && pipe) fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+    return descriptor;
+}
+
 static int write_in_place(const char *path, const void *data, size_t size) {
-    int descriptor = open(path, O_WRONLY | O_TRUNC | O_CLOEXEC);
+    int descriptor = open_in_place(path);
     if (descriptor < 0) return errno;
     int failed = write_all(descriptor, data, size);
     if (close(descriptor) != 0 && !failed) failed = errno;

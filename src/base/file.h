@@ -36,6 +36,10 @@ MUST_CHECK bool file_read_input(const FileBounds *bounds, Text *text, Error *err
  * Fails with STATUS_OUTPUT. */
 MUST_CHECK bool file_replace(const char *path, const void *data, size_t size, Error *error);
 
+/* Sets what is asked while a pipe waits for its reader: true ends the waiting, with an error. NULL is never.
+ */
+void file_set_stop(bool (*stop)(void));
+
 /* Checks whether file_replace() could work, without touching anything. A mistyped folder is then found before
  * an hour of rendering. */
 MUST_CHECK bool file_check_target(const char *path, Error *error);

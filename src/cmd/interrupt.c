@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/error.h"
+#include "base/file.h"
 
 #include <signal.h>
 #include <stddef.h>
@@ -37,6 +38,7 @@ void interrupt_install(void) {
     for (int i = 0; i < 3; i++) sigaction(signals[i], &action, NULL);
     /* Nobody reads the progress any more: that must not lose the picture. */
     signal(SIGPIPE, SIG_IGN);
+    file_set_stop(interrupt_requested);
 }
 
 void interrupt_keep(void) {

@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { MOST_LINES = 1000000 };
+
 static const char header[] = "height_m,sun_el_deg,view_el_deg,az_deg";
 
 static const struct {
@@ -58,10 +60,19 @@ static bool read_line(SkyRows *rows, char *line, bool first, Error *error) {
     return read_row(&rows->rows[rows->count++], line, error);
 }
 
+/* A row takes more memory than its text, so that their number is checked before one is read. */
+static bool check_count(const Text *file, const char *path, Error *error) {
+    size_t lines = 0;
+    for (size_t i = 0; i < file->size; i++) lines += file->data[i] == '\n';
+    return lines <= MOST_LINES ||
+           error_set(error, STATUS_USAGE, "%s: it has %zu lines, and at most %d can be read", path, lines,
+                     MOST_LINES);
+}
+
 bool sky_rows_read(SkyRows *rows, const char *path, Error *error) {
     Text file = {0};
     *rows = (SkyRows){0};
-    bool ok = lines_read(path, STATUS_USAGE, &file, error), first = true;
+    bool ok = lines_read(path, STATUS_USAGE, &file, error) && check_count(&file, path, error), first = true;
     Lines lines = lines_of(text_string(&file));
     for (char *line; ok && (line = lines_next(&lines));) {
         bool counts = !strchr("#", line[strspn(line, " \t")]);
