@@ -57,7 +57,17 @@ static void test_errors(void **state) {
         {"//@ mist extinction -dense below 2", ":3: mist: the slider 'dense' goes from 0 to 1, past"},
         {"//@ mist extinction wide below 2",
          ":3: mist: the slider 'wide' goes from -1 to 8, past 0 to 1e+06"},
-        {"//@ mist extinction 0.1 0.2 0.3 below 2", ":3: mist: extinction is one number"},
+        {"//@ mist extinction 0.1 0.2 below 2",
+         ":3: mist: extinction needs the share of the light that a metre takes away, 1/m, or three"},
+        {"//@ mist extinction 0.1 0.2 0.3 0.4 below 2", ":3: mist: unknown key '0.4'"},
+        {"//@ mist extinction 0.1 wide dense below 2",
+         ":3: mist: the slider 'wide' goes from -1 to 8, past 0"},
+        {"//@ mist extinction 0.1 0.2 -0.3 below 2", ":3: mist: '-0.3' is neither a number from 0"},
+        {"//@ mist extinction 0.1 0.2 0.3", ":3: mist of one density that has no end"},
+        {"uniform float g; //@ slider 0.2\n//@ mist extinction g below 2",
+         ":4: mist: extinction needs the share of the light that a metre takes away, 1/m, or three for red, "
+         "green and blue; "
+         "'g' is a key of mist, so that a slider needs another name"},
         {"//@ mist extinction 0.1 extinction 0.2 below 2", ":3: mist: extinction is there twice"},
         {"//@ mist extinction 0.1 albedo 0.9 below 2", ":3: mist: albedo needs red, green and blue"},
         {"//@ mist extinction 0.1 albedo 0.9 0.9 1.1 below 2",
@@ -72,7 +82,7 @@ static void test_errors(void **state) {
         {"//@ mist extinction 0.1 falloff 0", ":3: mist: '0' is neither a number from 0.001"},
         {"//@ mist extinction 0.1 phase mie below 2", ":3: mist: phase needs henyey or shanks"},
         {"//@ mist extinction 0.1 phase shanks phase shanks below 2", ":3: mist: phase is there twice"},
-        {"//@ mist off extinction 0.1 0.2 0.3 below 2", ":3: mist: extinction is one number"},
+        {"//@ mist off extinction 0.1 0.2 below 2", ":3: mist: extinction needs the share"},
         {"//@ mist extinction 0.1 off below 2", ":3: mist: unknown key 'off'"},
         {"//@ mist extinction 0.1 fallof 2", ":3: mist: unknown key 'fallof': did you mean falloff?"},
         {"//@ mist extinction 0.1 below 1\n//@ mist extinction 0.2 below 2",
@@ -238,11 +248,102 @@ static void test_transmittance(void **state) {
     }
 }
 
+/* The mean of each channel. */
+static void means_of(const char *scene, const char *arguments, double mean[3]) {
+    Image image = render(scene, arguments);
+    int pixels = image.width * image.height;
+    for (int c = 0; c < 3; c++) mean[c] = 0;
+    for (int i = 0; i < 4 * pixels; i++)
+        if (i % 4 < 3) mean[i % 4] += (double)image.rgba[i] / pixels;
+    image_free(&image);
+}
+
+/* Black mist whose extinction has a colour lets through exp(-depth) of each channel, also of those of which
+ * it takes none. */
+static void test_colour(void **state) {
+    (void)state;
+    static const struct {
+        const char *mist;
+        double depths[3];
+    } cases[] = {
+        {"extinction 0.05 0.2 0.5 sphere 0 5 0 3", {0.3, 1.2, 3}},
+        {"extinction 0 0.1 dense sphere 0 5 0 3", {0, 0.6, 1.2}},
+        {"extinction 0 0 0.3 sphere 0 5 0 3", {0, 0, 1.8}},
+        {"extinction 0 0 dense sphere 0 5 0 3\nfloat scene_mist(vec3 p) { return 0.5; }", {0, 0, 0.6}},
+        {"extinction 0 0 0.0 sphere 0 5 0 3", {0, 0, 0}},
+        {"extinction 0.1 0.2 0.3 falloff 2 base 5 box 0 5 0 2 1 4", {0.8, 1.6, 2.4}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char annotation[256];
+        double mean[3];
+        snprintf(annotation, sizeof annotation, "//@ sky uniform:1\n//@ mist albedo 0 0 0 %s", cases[i].mist);
+        means_of(write_ball("black.glsl", annotation, "0"),
+                 "--size 16x16 --spp 256 --set camera.eye=0,5,-10 --set camera.target=0,5.1,100 --set "
+                 "camera.fov=0.05",
+                 mean);
+        print_message("%s: %.4f %.4f %.4f\n", cases[i].mist, mean[0], mean[1], mean[2]);
+        for (int c = 0; c < 3; c++) {
+            /* Samples weigh at most 3. */
+            double wanted = exp(-cases[i].depths[c]);
+            assert_true(fabs(mean[c] - wanted) <= 5 * sqrt(wanted * fabs(3 - wanted) / (256 * 256)) + 1e-6);
+        }
+    }
+}
+
+/* A channel of coloured mist is as bright as mist that has its extinction in all channels. Three equal words
+ * are one, to the bit. */
+static void test_channels(void **state) {
+    (void)state;
+    static const char *const cases[][2] = {
+        {"sphere 0 1 0 5", "--light cosine"},
+        {"sphere 0 1 0 5", "--light mis --sun-disk"},
+        {"falloff 2", "--light control"},
+        {"falloff 2\nfloat scene_mist(vec3 p) { return fract(p.x); }", "--light cosine --sun-disk"},
+    };
+    static const double extinctions[] = {0.05, 0.2, 0.5};
+    const char *one = write_ball("one.glsl", "//@ mist extinction 0.2 below 2", "0.5");
+    Image a = render(one, "--size 24x24 --spp 4");
+    Image b = render(write_ball("three.glsl", "//@ mist extinction 0.2 0.2 0.2 below 2", "0.5"),
+                     "--size 24x24 --spp 4");
+    assert_memory_equal(a.rgba, b.rgba, sizeof(float[4 * 24 * 24]));
+    image_free(&a);
+    image_free(&b);
+    for (int i = 0; i < 4; i++) {
+        double coloured[3], grey[3], square[3] = {0}, sum[3] = {0};
+        char annotation[256], arguments[128];
+        enum { SEEDS = 4 };
+        for (int seed = 0; seed < SEEDS; seed++) {
+            snprintf(annotation, sizeof annotation,
+                     "//@ mist g 0.5 albedo 0.9 0.8 0.7 extinction 0.05 0.2 0.5 %s", cases[i][0]);
+            snprintf(arguments, sizeof arguments, "--size 32x32 --spp %d --seed %d %s",
+                     (int)support_samples(256), seed, cases[i][1]);
+            means_of(write_ball("coloured.glsl", annotation, "0.5"), arguments, coloured);
+            for (int c = 0; c < 3; c++) {
+                snprintf(annotation, sizeof annotation, "//@ mist g 0.5 albedo 0.9 0.8 0.7 extinction %g %s",
+                         extinctions[c], cases[i][0]);
+                snprintf(arguments, sizeof arguments, "--size 32x32 --spp %d --seed %d %s",
+                         (int)support_samples(256), seed + 100, cases[i][1]);
+                means_of(write_ball("grey.glsl", annotation, "0.5"), arguments, grey);
+                double off = coloured[c] / grey[c] - 1;
+                sum[c] += off / SEEDS;
+                square[c] += off * off / SEEDS;
+            }
+        }
+        for (int c = 0; c < 3; c++) {
+            double error = sqrt(fmax(square[c] - sum[c] * sum[c], 0) / (SEEDS - 1));
+            print_message("%s, %s, channel %d: %+.3f %%, standard error %.3f %%\n", cases[i][0], cases[i][1],
+                          c, 100 * sum[c], 100 * error);
+            assert_true(fabs(sum[c]) < 5 * error + 1e-4 && error < 0.03 * support_block());
+        }
+    }
+}
+
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_errors), cmocka_unit_test(test_switch),        cmocka_unit_test(test_density),
-        cmocka_unit_test(test_phase),  cmocka_unit_test(test_transmittance),
+        cmocka_unit_test(test_errors),   cmocka_unit_test(test_switch),        cmocka_unit_test(test_density),
+        cmocka_unit_test(test_phase),    cmocka_unit_test(test_transmittance), cmocka_unit_test(test_colour),
+        cmocka_unit_test(test_channels),
     };
     return cmocka_run_group_tests_name("mist", tests, support_folder, support_clean);
 }

@@ -20,7 +20,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
     mist_begin(w);
     bool alive = true;
     do {
-        Stretch stretch = stretch_of(path.ray, w);
+        Stretch stretch = stretch_of(path, w);
         Hit hit = stretch.hit;
         path.escaped = hit.t >= INFINITY;
         path.weight = stretch.weight;

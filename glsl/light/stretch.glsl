@@ -20,15 +20,16 @@ struct Stretch {
 };
 
 // w draws the place of the path's next hit, and the place that stands for the mist.
-Stretch stretch_of(Ray ray, vec2 w) {
+Stretch stretch_of(Path path, vec2 w) {
+    Ray ray = path.ray;
     Hit surface = surface_hit(ray);
     Stretch stretch = Stretch(surface, surface, false, mist_way(ray, surface.t), MistPoint(0.0, vec3(0.0)), vec3(1.0));
     if (mist_here()) {
-        MistEvent event = mist_event(stretch.way, w.x);
+        MistEvent event = mist_event(stretch.way, path.throughput, w.x);
         stretch.in_mist = event.t < INFINITY;
         stretch.weight = event.weight;
         if (stretch.in_mist) stretch.hit = mist_hit(ray, event.t);
-        stretch.point = mist_point(stretch.way, w.y);
+        stretch.point = mist_point(stretch.way, path.throughput, w.y);
     }
     return stretch;
 }

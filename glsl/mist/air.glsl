@@ -79,22 +79,24 @@ vec3 mist_kept(MistWay way) {
 //
 // Paths are scattered in the air more often than its light is: thin air before a dark surface brings much of what is seen there. Noise is least where both
 // ways are taken in proportion to what they bring. AIR_SURFACE stands for how bright surfaces are beside the sky.
-MistEvent mist_event(MistWay way, float u) {
+MistEvent mist_event(MistWay way, vec3 throughput, float u) {
+    vec3 odds = channels_odds(throughput);
     vec3 depths = air_depths(way.ray, way.metres);
-    float lost = 1.0 - channels_none(depths);
+    float lost = 1.0 - channels_none(depths, odds);
     float chance = air_scatters_again() ? lost / (lost + AIR_SURFACE * (1.0 - lost)) : 0.0;
     bool scattered = u < chance;
-    float share = channels_point(depths, min(u / max(chance, 1.0e-30), 0.99999994));
+    float share = channels_point(depths, odds, min(u / max(chance, 1.0e-30), 0.99999994));
     float t = way.metres * share;
-    vec3 there = exp(-air_depths(way.ray, t)) * (way.metres / max(chance * channels_point_pdf(depths, share), 1.0e-30));
+    vec3 there = exp(-air_depths(way.ray, t)) * (way.metres / max(chance * channels_point_pdf(depths, odds, share), 1.0e-30));
     return MistEvent(scattered ? t : INFINITY, scattered ? there : exp(-depths) / max(1.0 - chance, 1.0e-30));
 }
 
-MistPoint mist_point(MistWay way, float u) {
+MistPoint mist_point(MistWay way, vec3 throughput, float u) {
+    vec3 odds = channels_odds(throughput);
     vec3 depths = air_depths(way.ray, way.metres);
-    float share = channels_point(depths, u);
+    float share = channels_point(depths, odds, u);
     float t = way.metres * share;
-    return MistPoint(t, exp(-air_depths(way.ray, t)) * (way.metres / channels_point_pdf(depths, share)));
+    return MistPoint(t, exp(-air_depths(way.ray, t)) * (way.metres / channels_point_pdf(depths, odds, share)));
 }
 
 float mist_excess(Ray ray, float distance, float u) {

@@ -51,11 +51,11 @@ float mist_reached(MistWay way, float depth);
 // The share of the light that comes through the way, or an estimate of it whose mean is right.
 vec3 mist_kept(MistWay way);
 
-// Draws the place where the way first scatters or absorbs light. u is in [0, 1).
-MistEvent mist_event(MistWay way, float u);
+// Draws the place where the way first scatters or absorbs light, for a path of this throughput: of what colours it is. u is in [0, 1).
+MistEvent mist_event(MistWay way, vec3 throughput, float u);
 
 // Draws a place of the way with a density in proportion to the light that the place takes away. u is in [0, 1).
-MistPoint mist_point(MistWay way, float u);
+MistPoint mist_point(MistWay way, vec3 throughput, float u);
 
 // By how much the scene's own density leaves the range from 0 to 1 at a random place of a ray's first metres; 0 where it does not. u is in [0, 1).
 float mist_excess(Ray ray, float distance, float u);

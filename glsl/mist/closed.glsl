@@ -11,13 +11,13 @@ vec3 mist_kept(MistWay way) {
 }
 
 // The depth before the event is distributed as exp(-depth).
-MistEvent mist_event(MistWay way, float u) {
+MistEvent mist_event(MistWay way, vec3 throughput, float u) {
     float depth = depth_taking(u);
     return MistEvent(depth < way.depth ? way.begin + min(mist_reached(way, depth), way.metres) : INFINITY, vec3(1.0));
 }
 
 // The depth is distributed as exp(-depth) within the way. The weight is then the same everywhere.
-MistPoint mist_point(MistWay way, float u) {
+MistPoint mist_point(MistWay way, vec3 throughput, float u) {
     float taken = share_taken(way.depth);
     float depth = min(depth_taking(u * taken), way.depth);
     return MistPoint(way.begin + min(mist_reached(way, depth), way.metres), vec3(taken));

@@ -3,27 +3,8 @@
 // The depth of such mist has no formula. So a track goes through the mist that the annotation states, from one scattering to the next, and each of
 // them is real with the probability scene_mist(). The first real one is where light is scattered (delta tracking, Woodcock 1965). The product of what is left
 // at each, 1 - scene_mist(), is an estimate of the transmittance with the right mean (ratio tracking, Novak, Selle and Jarosz 2014).
+#include "mist/function_density.glsl"
 #include "mist/material.glsl"
-#include "mist/quotient.glsl"
-#include "math/hash.glsl"
-
-float scene_mist(vec3 p);
-
-// A track takes no more steps (src/render/plan.c counts with them). It needs about as many as the depth of the mist that the annotation states.
-const int MIST_STEPS = 64;
-
-// What the random numbers of tracks are made of: a part of the path, and the number of the track in it. The first two belong to the path itself.
-uint mist_seed = 0u;
-uint mist_track = 2u;
-
-void mist_begin(vec2 numbers) {
-    mist_seed = hash_3(uvec3(floatBitsToUint(numbers.x), floatBitsToUint(numbers.y), 0u)).x;
-    mist_track = 2u;
-}
-
-float mist_density(Ray ray, float t) {
-    return scene_mist(ray.origin + t * ray.direction);
-}
 
 // A track through the first `depth` of a way: the share of the light that comes through, and the first real scattering, in metres along the ray.
 struct MistTrack {
@@ -58,21 +39,15 @@ vec3 mist_kept(MistWay way) {
 }
 
 // The numbers are the path's own, so that u has no use.
-MistEvent mist_event(MistWay way, float u) {
+MistEvent mist_event(MistWay way, vec3 throughput, float u) {
     return MistEvent(mist_walk(way, way.depth, 0u).event, vec3(1.0));
 }
 
 // The place is drawn as if the mist were that of the annotation. The weight makes up for it.
-MistPoint mist_point(MistWay way, float u) {
+MistPoint mist_point(MistWay way, vec3 throughput, float u) {
     float taken = share_taken(way.depth);
     float depth = min(depth_taking(u * taken), way.depth);
     float t = way.begin + min(mist_reached(way, depth), way.metres);
     float share = clamp(mist_density(way.ray, t), 0.0, 1.0);
     return MistPoint(t, vec3(taken * share * exp(depth) * mist_walk(way, depth, 1u).kept));
-}
-
-float mist_excess(Ray ray, float distance, float u) {
-    MistWay way = mist_way(ray, distance);
-    float density = mist_density(ray, way.begin + min(mist_reached(way, u * way.depth), way.metres));
-    return way.depth > 0.0 ? max(density - 1.0, -density) : 0.0;
 }

@@ -16,11 +16,11 @@ vec3 mist_kept(MistWay way) {
     return vec3(1.0);
 }
 
-MistEvent mist_event(MistWay way, float u) {
+MistEvent mist_event(MistWay way, vec3 throughput, float u) {
     return MistEvent(INFINITY, vec3(1.0));
 }
 
-MistPoint mist_point(MistWay way, float u) {
+MistPoint mist_point(MistWay way, vec3 throughput, float u) {
     return MistPoint(0.0, vec3(0.0));
 }
 

@@ -4,6 +4,9 @@
 // 1/m; where the mist thins with height, the extinction at the height mist_base().
 float mist_extinction();
 
+// The extinction of each channel over that, which is the largest. 1 where the extinction has no colour.
+vec3 mist_tint();
+
 // The share of the light that is scattered, of the light that is scattered or absorbed.
 vec3 mist_albedo();
 

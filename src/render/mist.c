@@ -38,8 +38,9 @@ void mist_slots(SlotList *slots, const Plan *plan, const Scene *scene) {
     text_free(&values);
     slot_file(slots, "mist", "pass/mist.glsl");
     slot_file(slots, "mist-density", mist->falls ? "mist/height.glsl" : "mist/homogeneous.glsl");
-    slot_file(slots, "mist-tracks",
-              scene->file->facts.makes_mist ? "mist/function.glsl" : "mist/closed.glsl");
+    static const char *const tracks[2][2] = {{"mist/closed.glsl", "mist/coloured.glsl"},
+                                             {"mist/function.glsl", "mist/function_coloured.glsl"}};
+    slot_file(slots, "mist-tracks", tracks[scene->file->facts.makes_mist][mist_is_coloured(mist)]);
     slot_file(slots, "mist-region", regions[mist->shape]);
     slot_file(slots, "mist-phase", mist->shanks ? "mist/phase_shanks.glsl" : "mist/phase_henyey.glsl");
 }

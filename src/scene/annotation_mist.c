@@ -18,7 +18,8 @@ typedef struct Key {
 } Key;
 
 static const Key keys[] = {
-    {"extinction", MIST_EXTINCTION, 1, 0, "the share of the light that a metre takes away, 1/m"},
+    {"extinction", MIST_EXTINCTION, 1, 0,
+     "the share of the light that a metre takes away, 1/m, or three for red, green and blue"},
     {"albedo", MIST_ALBEDO, 3, 0, "red, green and blue from 0 to 1"},
     {"g", MIST_FORWARD, 1, 0, "the mean cosine of scattering"},
     {"falloff", MIST_FALLOFF, 1, 0, "the height in which it thins to 1/e, m"},
@@ -48,20 +49,6 @@ static const Key *find_key(const char *word) {
     return NULL;
 }
 
-/* `before` is the key whose words ended; NULL if none did. */
-static bool unknown_key(const char *word, const Key *before, Error *error) {
-    double number;
-    if (before && before->first == MIST_EXTINCTION && number_parse(word, &number))
-        return error_set(
-            error, STATUS_SCENE,
-            "mist: extinction is one number: mist whose extinction has a colour cannot be rendered; "
-            "its albedo may have one");
-    Known known = known_to(word, strlen(word));
-    for (int i = 0; i < KEYS; i++) known_add(&known, keys[i].name);
-    known_add(&known, "phase");
-    return known_fail(&known, STATUS_SCENE, error, "mist: unknown key '%s'", word);
-}
-
 static bool read_phase(Mist *mist, const Line *line, int at, Error *error) {
     const char *word = at + 1 < line->count ? line->words[at + 1] : "";
     mist->shanks = strcmp(word, "shanks") == 0;
@@ -69,20 +56,57 @@ static bool read_phase(Mist *mist, const Line *line, int at, Error *error) {
            error_set(error, STATUS_SCENE, "mist: phase needs henyey or shanks");
 }
 
-static bool read_key(Mist *mist, const Line *line, int at, const Key *key, Error *error) {
+static bool is_key(const char *word) {
+    return find_key(word) || strcmp(word, "phase") == 0;
+}
+
+/* The known key that is most like a word that is none. */
+static Known keys_near(const char *word) {
+    Known known = known_to(word, strlen(word));
+    for (int i = 0; i < KEYS; i++) known_add(&known, keys[i].name);
+    known_add(&known, "phase");
+    return known;
+}
+
+static bool unknown_key(const char *word, Error *error) {
+    Known known = keys_near(word);
+    return known_fail(&known, STATUS_SCENE, error, "mist: unknown key '%s'", word);
+}
+
+/* Extinction may have a colour. A word behind its first number is a second one, unless it looks like a key.
+ */
+static bool is_second(const Line *line, int at) {
+    double number;
+    if (at >= line->count || is_key(line->words[at])) return false;
+    if (number_parse(line->words[at], &number)) return true;
+    Known known = keys_near(line->words[at]);
+    bool near_key = known.near.name != NULL;
+    known_free(&known);
+    return !near_key && at + 1 < line->count && !is_key(line->words[at + 1]);
+}
+
+static int count_words(const Line *line, int at, const Key *key) {
+    return key->first == MIST_EXTINCTION && is_second(line, at + 2) ? 3 : key->count;
+}
+
+static bool read_key(Mist *mist, const Line *line, int *at, const Key *key, Error *error) {
+    int count = count_words(line, *at, key);
     if (key->shape && mist->shape)
         return error_set(error, STATUS_SCENE, "mist: '%s' is a second region, and mist has one", key->name);
     if (mist->words[key->first][0])
         return error_set(error, STATUS_SCENE, "mist: %s is there twice", key->name);
-    if (at + key->count >= line->count)
+    if (*at + count >= line->count)
         return error_set(error, STATUS_SCENE, "mist: %s needs %s", key->name, key->needs);
     if (key->shape) mist->shape = key->shape;
-    for (int i = 0; i < key->count; i++) {
+    for (int i = 0; i < count; i++) {
         char *word = mist->words[(int)key->first + i];
-        if (find_key(line->words[at + 1 + i]) || strcmp(line->words[at + 1 + i], "phase") == 0)
-            return error_set(error, STATUS_SCENE, "mist: %s needs %s", key->name, key->needs);
-        if (!line_copy_word(word, sizeof mist->words[0], line->words[at + 1 + i], error)) return false;
+        if (is_key(line->words[*at + 1 + i]))
+            return error_set(error, STATUS_SCENE,
+                             "mist: %s needs %s; '%s' is a key of mist, so that a slider needs another name",
+                             key->name, key->needs, line->words[*at + 1 + i]);
+        if (!line_copy_word(word, sizeof mist->words[0], line->words[*at + 1 + i], error)) return false;
     }
+    *at += 1 + count;
     return true;
 }
 
@@ -94,7 +118,6 @@ static int read_switch(const Line *line) {
 }
 
 static bool read_keys(Mist *mist, const Line *line, Error *error) {
-    const Key *before = NULL;
     bool phase = false;
     for (int at = read_switch(line); at < line->count;) {
         const Key *key = find_key(line->words[at]);
@@ -104,11 +127,9 @@ static bool read_keys(Mist *mist, const Line *line, Error *error) {
             if (!read_phase(mist, line, at, error)) return false;
             at += 2;
         } else {
-            if (!key) return unknown_key(line->words[at], before, error);
-            if (!read_key(mist, line, at, key, error)) return false;
-            at += 1 + key->count;
+            if (!key) return unknown_key(line->words[at], error);
+            if (!read_key(mist, line, &at, key, error)) return false;
         }
-        before = key;
     }
     return true;
 }

@@ -9,9 +9,9 @@
 /* The annotation's words, each a number or a slider's name. Where MistWord names the first of several, the
  * others follow. */
 typedef enum MistWord {
-    /* 1/m */
+    /* 1/m. Where it has no colour, the second and the third are empty. */
     MIST_EXTINCTION,
-    MIST_ALBEDO,
+    MIST_ALBEDO = MIST_EXTINCTION + 3,
     MIST_FORWARD = MIST_ALBEDO + 3,
     /* m */
     MIST_FALLOFF,
@@ -36,6 +36,9 @@ typedef struct Mist {
     /* The parameter that switches it on and off. */
     int parameter;
 } Mist;
+
+/* Whether its extinction has a colour: three words that are not all the same. */
+bool mist_is_coloured(const Mist *mist);
 
 /* Writes the functions of glsl/mist/values.glsl. */
 void mist_write(const Mist *mist, Text *text);

@@ -18,8 +18,8 @@ void item(vec4 a, vec4 b, OUT(vec4) c, OUT(vec4) d) {
     Ray ray = Ray(vec3(0.0, a.x, 0.0), vec3(sqrt(max(1.0 - a.y * a.y, 0.0)), a.y, 0.0));
     MistWay way = mist_way(ray, a.z);
     vec3 depths = air_depths(ray, way.metres);
-    MistPoint point = mist_point(way, a.w);
-    MistEvent event = mist_event(way, b.y);
+    MistPoint point = mist_point(way, vec3(1.0), a.w);
+    MistEvent event = mist_event(way, vec3(1.0), b.y);
     vec3 incoming = vec3(0.6, 0.0, 0.8);
     c = vec4(depths, point.t);
     d = vec4(point.weight.z, event.t < INFINITY ? event.t : -1.0, event.weight.x, dot(incoming, rayleigh_sample(incoming, vec2(b.z, b.w))));

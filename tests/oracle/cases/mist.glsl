@@ -26,8 +26,8 @@ void item(vec4 a, vec4 b, OUT(vec4) c, OUT(vec4) d) {
     forward = a.w;
     Ray ray = Ray(vec3(0.0, a.x, 0.0), vec3(sqrt(max(1.0 - a.y * a.y, 0.0)), a.y, 0.0));
     MistWay way = mist_way(ray, INFINITY);
-    MistPoint point = mist_point(way, b.w);
-    float event = mist_event(way, b.z).t;
+    MistPoint point = mist_point(way, vec3(1.0), b.w);
+    float event = mist_event(way, vec3(1.0), b.z).t;
     c = vec4(way.depth, event < INFINITY ? event : -1.0, point.t, point.weight.x);
     vec3 incoming = vec3(0.6, 0.0, 0.8);
     vec3 turned = henyey_sample(forward, incoming, vec2(b.z, b.w));
