@@ -311,18 +311,18 @@ static void test_channels(void **state) {
     for (int i = 0; i < 4; i++) {
         double coloured[3], grey[3], square[3] = {0}, sum[3] = {0};
         char annotation[256], arguments[128];
-        enum { SEEDS = 4 };
+        enum { SEEDS = 8 };
         for (int seed = 0; seed < SEEDS; seed++) {
             snprintf(annotation, sizeof annotation,
                      "//@ mist g 0.5 albedo 0.9 0.8 0.7 extinction 0.05 0.2 0.5 %s", cases[i][0]);
-            snprintf(arguments, sizeof arguments, "--size 32x32 --spp %d --seed %d %s",
-                     (int)support_samples(256), seed, cases[i][1]);
+            snprintf(arguments, sizeof arguments, "--size 24x24 --spp %d --seed %d %s",
+                     (int)support_samples(128), seed, cases[i][1]);
             means_of(write_ball("coloured.glsl", annotation, "0.5"), arguments, coloured);
             for (int c = 0; c < 3; c++) {
                 snprintf(annotation, sizeof annotation, "//@ mist g 0.5 albedo 0.9 0.8 0.7 extinction %g %s",
                          extinctions[c], cases[i][0]);
-                snprintf(arguments, sizeof arguments, "--size 32x32 --spp %d --seed %d %s",
-                         (int)support_samples(256), seed + 100, cases[i][1]);
+                snprintf(arguments, sizeof arguments, "--size 24x24 --spp %d --seed %d %s",
+                         (int)support_samples(128), seed + 100, cases[i][1]);
                 means_of(write_ball("grey.glsl", annotation, "0.5"), arguments, grey);
                 double off = coloured[c] / grey[c] - 1;
                 sum[c] += off / SEEDS;
@@ -333,7 +333,8 @@ static void test_channels(void **state) {
             double error = sqrt(fmax(square[c] - sum[c] * sum[c], 0) / (SEEDS - 1));
             print_message("%s, %s, channel %d: %+.3f %%, standard error %.3f %%\n", cases[i][0], cases[i][1],
                           c, 100 * sum[c], 100 * error);
-            assert_true(fabs(sum[c]) < 5 * error + 1e-4 && error < 0.03 * support_block());
+            /* Seven errors of eight seeds are met once in 5000 cases. */
+            assert_true(fabs(sum[c]) < 7 * error + 1e-4 && error < 0.006 * support_block());
         }
     }
 }
