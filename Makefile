@@ -44,7 +44,7 @@ LIBRARY := $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(LEFT_OUT),$(wildcard tests/test_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$(wildcard tests/*.c)))
 
-.PHONY: all tests demo test check check-slow check-all tests-table lint format deps man install uninstall dist clean compile_commands.json cmocka FORCE
+.PHONY: all tests demo test check check-slow check-all torture tests-table lint format deps man install uninstall dist clean compile_commands.json cmocka FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
@@ -96,6 +96,10 @@ check-slow: SUITE = slow
 check-all: SUITE = all
 check check-slow check-all: all tests
 	tests/run.sh $(BUILD) $(SUITE)
+
+# All 300 cases of random scenes: minutes.
+torture: $(BUILD)/magichour $(BUILD)/tests/test_torture
+	MAGICHOUR=$(BUILD)/magichour TORTURE=300 $(BUILD)/tests/test_torture
 
 # The tables of figures in tests/README.md: minutes.
 tests-table: $(BUILD)/magichour $(BUILD)/tests/test_scenes $(BUILD)/tests/test_noise

@@ -276,7 +276,7 @@ static void test_stopped(void **state) {
     uint64_t paths = adaptive.paths;
     /* Whether a draw is one piece, in which nobody asks, or many. */
     for (int i = 0; i < 2; i++) {
-        bench.renderer.pixels_per_second = i ? 1 : 1e9;
+        pace_set(&bench.renderer.pace, SIZE, SIZE, i ? 1 : 1e-12);
         assert_true(adaptive_round(&adaptive, &bench.renderer, 0.1, yes, &error));
         assert_true(adaptive.paths == paths && adaptive_error(&adaptive, NOISE_RADIANCE) == before);
     }

@@ -494,7 +494,8 @@ static void test_stopped(void **state) {
     Error error;
     bench_open(&bench, "sobol", SIZE);
     Renderer *renderer = &bench.renderer;
-    renderer->pixels_per_second = bench.aov.pixels_per_second = 1;
+    pace_set(&renderer->pace, SIZE, SIZE, 1);
+    pace_set(&bench.aov.pace, SIZE, SIZE, 1);
     assert_true(renderer_pass(renderer, 64, yes, &error) &&
                 aov_pass(&bench.aov, renderer, renderer->film.samples, yes, &error));
     assert_int_equal(bench.aov.samples, 1);

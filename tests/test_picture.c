@@ -321,6 +321,7 @@ static void test_cuts_agree(void **state) {
     film_reset(&renderer.film);
     for (int i = 0; renderer.film.samples < 40; i++) {
         renderer.pixels_per_second = i % 2 ? 1 : 10000;
+        pace_set(&renderer.pace, 48, 40, i % 2 ? 1 : 1e-5);
         /* Each group after the first is once begun and dropped. */
         if (renderer.film.samples) {
             uint64_t before = renderer.film.samples;
@@ -337,6 +338,7 @@ static void test_cuts_agree(void **state) {
     /* Stopped in the first group, it keeps the rows that it came to. */
     film_reset(&renderer.film);
     renderer.pixels_per_second = 1;
+    pace_set(&renderer.pace, 48, 40, 1);
     assert_true(renderer_pass(&renderer, 16, yes, &error));
     assert_true(film_read(&renderer.film, &cut, &count, &error));
     assert_true(count.accepted == 16 * 48 && cut.rgba[3] == 1 && cut.rgba[4 * 48 * 39 + 3] == 0);

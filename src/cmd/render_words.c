@@ -150,6 +150,9 @@ void render_warn(const RenderJob *job) {
         fprintf(stderr,
                 "magichour: warning: --further has no effect: the air has the first order alone (--orders "
                 "says how many it has)\n");
+    if (job->options->verbose || job->options->files)
+        fprintf(stderr, "%ld draws, the longest %.3f s\n", job->renderer.pace.draws,
+                job->renderer.pace.longest_s);
     warn_promise(job);
     if (!job->figures.promise && adaptive_end(&job->adaptive) == ADAPTIVE_FULL)
         fprintf(stderr,

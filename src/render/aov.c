@@ -74,7 +74,7 @@ static bool tell(const Aov *aov, const RenderParams *params, const Renderer *ren
 bool aov_create(Aov *aov, unsigned kinds, const Context *context, const RenderParams *params,
                 const Renderer *renderer, Error *error) {
     const Camera *camera = &renderer->camera;
-    *aov = (Aov){.kinds = kinds, .pixels_per_second = renderer->pixels_per_second};
+    *aov = (Aov){.kinds = kinds};
     if (!(kinds & first_hit)) return true;
     if (!create_program(&aov->program, context, params, renderer, error) ||
         !target_create(&aov->target, context, camera->width, camera->height, outputs, error)) {
@@ -91,6 +91,7 @@ bool aov_restart(Aov *aov, const Context *context, const RenderParams *params, c
     const Camera *camera = &renderer->camera;
     Target *target = &aov->target;
     aov->samples = 0;
+    aov->pace.width = 0;
     if (camera->width == target->width && camera->height == target->height) {
         target_clear(target);
     } else {
@@ -119,7 +120,13 @@ static bool add_group(Aov *aov, unsigned group, bool (*stop)(void)) {
     const Target *target = &aov->target;
     begin_group(aov, group);
     Rectangle all = {0, 0, target->width, target->height};
-    if (!strips_draw(&aov->program, &all, 1, &aov->pixels_per_second, stop)) return false;
+    Strips strips = {.program = &aov->program,
+                     .picture = all,
+                     .regions = &all,
+                     .count = 1,
+                     .samples = group,
+                     .stop = stop};
+    if (!strips_draw(&strips, &aov->pace)) return false;
     target_swap(&aov->target);
     aov->samples += group;
     return true;

@@ -36,7 +36,7 @@ typedef struct Aov {
     Target target;
     /* Samples taken of each pixel. */
     unsigned samples;
-    double pixels_per_second;
+    Pace pace;
 } Aov;
 
 /* Reads a list such as "albedo,normal" into bits; NULL is none. An unknown name or one that comes twice is

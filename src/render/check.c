@@ -53,12 +53,13 @@ static const unsigned outputs = 15;
 
 static void draw(const Program *program, Target *target) {
     static const char *const unread[TARGET_TEXTURES] = {NULL};
-    double pixels_per_second = 1e4;
     Rectangle all = {0, 0, target->width, target->height};
     program_set_uint(program, "check_paths", PATHS);
     program_set_int(program, "check_hits", HITS);
     target_begin(target, program, unread);
-    strips_draw(program, &all, 1, &pixels_per_second, NULL);
+    Pace pace = {0};
+    Strips strips = {.program = program, .picture = all, .regions = &all, .count = 1, .samples = PATHS};
+    strips_draw(&strips, &pace);
     target_swap(target);
 }
 

@@ -1,6 +1,12 @@
 #include "render/image_pass.h"
 
+#include "base/clock.h"
 #include "gl/texture.h"
+
+#include <math.h>
+
+/* llvmpipe shades blocks of columns together. */
+enum { COLUMNS_STEP = 16 };
 
 static const float nothing[4] = {0};
 
@@ -69,15 +75,33 @@ static int largest(int a, int b) {
     return a > b ? a : b;
 }
 
-static void draw_both(const Program *program, const Rectangle *a, const Rectangle *b) {
+/* Draws a rectangle in pieces of a twentieth of a second. */
+static void draw_pieces(ImagePass *pass, const Rectangle *r, unsigned group) {
+    static const double piece_s = 0.05, first_guess = 1e4;
+    double *speed = &pass->pixel_samples_per_second;
+    for (int x = 0, y = 0; y < r->height;) {
+        double pixels = piece_s * (*speed > 0 ? *speed : first_guess) / group, begin = clock_seconds();
+        int rows = x ? 1 : (int)fmin(fmax(floor(pixels / r->width), 1), r->height - y),
+            columns = (int)fmin(fmax(floor(pixels / rows), COLUMNS_STEP), r->width - x);
+        program_draw(&pass->program, r->x + x, r->y + y, columns, rows);
+        pass->gl->Finish();
+        double taken = fmax(clock_seconds() - begin, 1e-6), measured = (double)rows * columns * group / taken;
+        /* One small piece that is quick says little of the next. */
+        *speed = *speed > 0 ? fmin(measured, 4 * *speed) : fmin(measured, 4 * first_guess);
+        x = x + columns < r->width ? x + columns : 0;
+        y += x ? 0 : rows;
+    }
+}
+
+static void draw_both(ImagePass *pass, const Rectangle *a, const Rectangle *b, unsigned group) {
     int x = largest(a->x, b->x), y = largest(a->y, b->y);
     int right = -largest(-a->x - a->width, -b->x - b->width);
     int bottom = -largest(-a->y - a->height, -b->y - b->height);
-    if (right > x && bottom > y) program_draw(program, x, y, right - x, bottom - y);
+    Rectangle both = {x, y, right - x, bottom - y};
+    if (right > x && bottom > y) draw_pieces(pass, &both, group);
 }
 
-void image_pass_draw(const ImagePass *pass, const Film *film, const Rectangle *regions, int count,
-                     unsigned group) {
+void image_pass_draw(ImagePass *pass, const Film *film, const Rectangle *regions, int count, unsigned group) {
     const Program *program = &pass->program;
     if (!pass->where.count) return;
     program_use(program);
@@ -86,5 +110,5 @@ void image_pass_draw(const ImagePass *pass, const Film *film, const Rectangle *r
     pass->gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
     pass->gl->Viewport(0, 0, pass->width, pass->height);
     for (int i = 0; i < pass->where.count * count; i++)
-        draw_both(program, &pass->where.rectangles[i / count], &regions[i % count]);
+        draw_both(pass, &pass->where.rectangles[i / count], &regions[i % count], group);
 }

@@ -16,6 +16,8 @@ typedef struct ImagePass {
     int width, height;
     /* Where the picture may hold the image. */
     SunImage where;
+    /* Measured; it sets the size of the draws. */
+    double pixel_samples_per_second;
 } ImagePass;
 
 /* Creates the pass if the plan's method draws the image; else `pass` is an empty struct. */
@@ -35,5 +37,4 @@ void image_pass_warm_up(const ImagePass *pass, const Film *film);
 
 /* Draws the sums of the group that `film` takes in next, for the pixels of these regions. The framebuffer
  * that is bound and the program in use change. */
-void image_pass_draw(const ImagePass *pass, const Film *film, const Rectangle *regions, int count,
-                     unsigned group);
+void image_pass_draw(ImagePass *pass, const Film *film, const Rectangle *regions, int count, unsigned group);

@@ -15,6 +15,7 @@ enum {
     AIM_ROWS = 128,
     /* The coarse picture by which throwing surfaces are looked for, and the paths in each of its pixels. */
     COARSE_SIDE = 64,
+    COARSE_ROWS = 4,
     COARSE_PATHS = 4,
     COARSE_HITS = 4,
     /* Paths in a second, before it is measured. */
@@ -82,10 +83,10 @@ void photon_pass_give(const PhotonPass *pass, const Program *program) {
 }
 
 /* Draws rows of the batch with a program that is in use. */
-static void draw(const PhotonPass *pass, const Program *program, int width, int rows) {
+static void draw(const PhotonPass *pass, const Program *program, int row, int width, int rows) {
     pass->gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
     pass->gl->Viewport(0, 0, BATCH_COLUMNS, BATCH_ROWS);
-    program_draw(program, 0, 0, width, rows);
+    program_draw(program, 0, row, width, rows);
 }
 
 /* Makes the program of light paths the one in use, for those from number `first` on. */
@@ -97,9 +98,28 @@ static void use(const PhotonPass *pass, uint64_t first) {
     program_set_uint(&pass->photons, "photon_columns", BATCH_COLUMNS);
 }
 
-static void trace(const PhotonPass *pass, uint64_t first, int rows) {
+/* Rows that are drawn together: as many as take a tenth of a second, but llvmpipe shades four rows together.
+ */
+static int piece_rows(const PhotonPass *pass, double rows_left) {
+    static const double piece_s = 0.1;
+    double fit = 4 * floor(piece_s * pass->paths_per_second / BATCH_COLUMNS / 4);
+    return (int)fmin(fmax(fit, 4), rows_left);
+}
+
+/* Traces rows of paths, in pieces, the first of which is small before the speed is known. */
+static void trace(PhotonPass *pass, uint64_t first, int rows) {
     use(pass, first);
-    draw(pass, &pass->photons, BATCH_COLUMNS, rows);
+    pass->gl->BindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
+    pass->gl->Viewport(0, 0, BATCH_COLUMNS, BATCH_ROWS);
+    for (int row = 0; row < rows;) {
+        double begin = clock_seconds();
+        int piece = pass->measured ? piece_rows(pass, rows - row) : (int)fmin(4, rows - row);
+        program_draw(&pass->photons, 0, row, BATCH_COLUMNS, piece);
+        pass->gl->Finish();
+        pass->paths_per_second = (double)piece * BATCH_COLUMNS / fmax(clock_seconds() - begin, 1e-6);
+        pass->measured = true;
+        row += piece;
+    }
 }
 
 /* Finds places that throw light, and aims at them. */
@@ -113,7 +133,11 @@ static bool find_throwers(PhotonPass *pass, const Frame *frame, Error *error) {
     program_set_int(&pass->throwers, "thrower_hits", COARSE_HITS);
     bool ok = program_check(&pass->throwers, error);
     if (ok) {
-        draw(pass, &pass->throwers, COARSE_SIDE, COARSE_SIDE);
+        /* A few rows at a time, because nothing is known of their time. */
+        for (int row = 0; row < COARSE_SIDE; row += COARSE_ROWS) {
+            draw(pass, &pass->throwers, row, COARSE_SIDE, COARSE_ROWS);
+            pass->gl->Finish();
+        }
         read(pass, POINT, COARSE_SIDE, COARSE_SIDE, places);
         aim_begin(&pass->aim, places, COARSE_SIDE * COARSE_SIDE, spread);
         ok = gl_check(pass->gl, "looking for surfaces that throw light", error);
@@ -164,12 +188,10 @@ static uint64_t rows_for(const PhotonPass *pass, uint64_t paths, double seconds)
 
 uint64_t photon_pass_draw(PhotonPass *pass, Film *film, uint64_t paths, double seconds) {
     uint64_t rows = rows_for(pass, paths, seconds);
-    double begin = clock_seconds();
     trace(pass, (uint64_t)film->light_paths, (int)rows);
     float *points = memory_get((size_t)rows * BATCH_COLUMNS * 4, sizeof *points);
     read(pass, POINT, BATCH_COLUMNS, (int)rows, points);
     film_add_light(film, points, (int)rows * BATCH_COLUMNS, (double)rows * BATCH_COLUMNS);
     free(points);
-    pass->paths_per_second = (double)rows * BATCH_COLUMNS / fmax(clock_seconds() - begin, 1e-6);
     return rows * BATCH_COLUMNS;
 }

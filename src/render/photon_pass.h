@@ -17,8 +17,9 @@ typedef struct PhotonPass {
     Aim aim;
     /* Light paths for each sample of all pixels together; 0 if none are traced. */
     double paths_a_sample;
-    /* Measured; it sets the size of batches where time is short. */
+    /* Measured; it sets the size of batches where time is short, and of draws. */
     double paths_per_second;
+    bool measured;
 } PhotonPass;
 
 /* Creates the pass if the plan's method traces light; else `pass` is an empty struct. Errors in GLSL are

@@ -245,6 +245,8 @@ bool renderer_restart(Renderer *renderer, const Context *context, const RenderPa
         renderer->film = next;
     }
     renderer->pixels_per_second *= (double)renderer->group / plan.group_samples;
+    /* Another picture. */
+    renderer->pace.width = 0;
     renderer->group = plan.group_samples;
     renderer->row = 0;
     return finish(renderer, error);

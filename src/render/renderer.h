@@ -7,6 +7,7 @@
 
 #include "gl/camera.h"
 #include "gl/film.h"
+#include "gl/strips.h"
 #include "render/chain_pass.h"
 #include "render/image_pass.h"
 #include "render/photon_pass.h"
@@ -40,7 +41,9 @@ typedef struct Renderer {
     PhotonPass light;
     /* The passes of --sequence metropolis. */
     ChainPass chains;
-    /* Measured for groups of samples; it sets the size of the draws. */
+    /* How fast the passes draw, and, for renderer_advance(), how many pixels of groups of samples; measured.
+     * They set the size of the draws. */
+    Pace pace;
     double pixels_per_second;
     /* For renderer_advance(): the size of the group in progress, 0 if there is none, and its first row that
      * is not drawn yet. If that is the film's height, only splatted light is missing. */

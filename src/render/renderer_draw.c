@@ -20,7 +20,13 @@ static bool draw_group(Renderer *renderer, const Rectangle *regions, int count, 
                        bool (*stop)(void)) {
     image_pass_draw(&renderer->image, &renderer->film, regions, count, group);
     renderer_begin_group(renderer, group);
-    return strips_draw(&renderer->program, regions, count, &renderer->pixels_per_second, stop);
+    Strips strips = {.program = &renderer->program,
+                     .picture = {0, 0, renderer->film.width, renderer->film.height},
+                     .regions = regions,
+                     .count = count,
+                     .samples = group,
+                     .stop = stop};
+    return strips_draw(&strips, &renderer->pace);
 }
 
 /* Traces light paths from the sun, or proposes paths to chains, for about `seconds`. Returns how many. */
