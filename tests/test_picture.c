@@ -299,6 +299,54 @@ static bool yes(void) {
     return true;
 }
 
+/* A picture of 16 samples, drawn at this pace; 0 for one that is not known yet. */
+static Image picture_at(Renderer *renderer, double seconds, Pace *pace) {
+    Image image;
+    FilmCount count;
+    Error error;
+    film_reset(&renderer->film);
+    renderer->pace = (Pace){0};
+    if (seconds > 0) pace_set(&renderer->pace, renderer->film.width, renderer->film.height, seconds);
+    assert_true(renderer_pass(renderer, 16, NULL, &error) &&
+                film_read(&renderer->film, &image, &count, &error));
+    assert_true(count.accepted == 16 * (uint64_t)renderer->film.width * (uint64_t)renderer->film.height);
+    *pace = renderer->pace;
+    return image;
+}
+
+/* Pieces of a row, whole pictures, and blocks that are timed before the first piece: the picture is the same
+ * to the bit, with the sun's own image in it. */
+static void test_pieces_agree(void **state) {
+    (void)state;
+    enum { WIDTH = 320, HEIGHT = 210 };
+    Context context;
+    Renderer renderer;
+    Scene scene;
+    Error error;
+    Pace pace;
+    size_t size = 4 * WIDTH * HEIGHT * sizeof(float);
+    support_open(&context);
+    assert_true(scene_read(&scene, "scenes/crater.glsl", "glsl", &error));
+    scene.values.sun.elevation_deg = 5;
+    RenderParams params = {.scene = &scene, .sun_disk = "sampled", .width = WIDTH, .height = HEIGHT};
+    if (!renderer_create(&renderer, &context, &params, &error)) fail_msg("%s", error.text);
+    Image whole = picture_at(&renderer, 1e-12, &pace);
+    assert_int_equal(pace.draws, 1);
+    Image rows = picture_at(&renderer, 1, &pace);
+    print_message("%ld draws, the longest %.3f s\n", pace.draws, pace.longest_s);
+    assert_true(pace.draws > 5);
+    Image probed = picture_at(&renderer, 0, &pace);
+    assert_true(pace.draws > 1 && pace.width == WIDTH && pace.mean[PACE_BANDS / 2] > 0);
+    assert_memory_equal(whole.rgba, rows.rgba, size);
+    assert_memory_equal(whole.rgba, probed.rgba, size);
+    image_free(&whole);
+    image_free(&rows);
+    image_free(&probed);
+    renderer_destroy(&renderer);
+    scene_destroy(&scene);
+    context_close(&context);
+}
+
 /* However the work is cut into passes and strips, stopped and taken up again, the mean is the same to the
  * bit. */
 static void test_cuts_agree(void **state) {
@@ -470,6 +518,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_second_driver),
         cmocka_unit_test(test_backends_agree),
         cmocka_unit_test(test_cuts_agree),
+        cmocka_unit_test(test_pieces_agree),
         cmocka_unit_test(test_image_of_broken_scene),
         cmocka_unit_test(test_refused_restart),
         cmocka_unit_test(test_nonfinite),

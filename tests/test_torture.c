@@ -68,7 +68,7 @@ static bool judge(const Torture *torture, const char *scene, uint32_t number, co
     double z = sum < 0 ? sum / sqrt(variances) : 0;
     print_message("case %u: negative values of %d samples come to %+.2g at %d, the worst to %.1f standard "
                   "errors below 0, all together to %.1f\n",
-                  number, torture->samples, sum, samples, -worst, -z);
+                  number, torture->samples, sum, samples, fabs(worst), fabs(z));
     return worst >= -pixel_limit && z >= -sum_limit;
 }
 
