@@ -299,7 +299,7 @@ static bool yes(void) {
     return true;
 }
 
-/* A picture of 16 samples, drawn at this pace; 0 for one that is not known yet. */
+/* A picture of a group of samples, drawn at this pace; 0 for one that is not known yet. */
 static Image picture_at(Renderer *renderer, double seconds, Pace *pace) {
     Image image;
     FilmCount count;
@@ -309,7 +309,8 @@ static Image picture_at(Renderer *renderer, double seconds, Pace *pace) {
     if (seconds > 0) pace_set(&renderer->pace, renderer->film.width, renderer->film.height, seconds);
     assert_true(renderer_pass(renderer, 16, NULL, &error) &&
                 film_read(&renderer->film, &image, &count, &error));
-    assert_true(count.accepted == 16 * (uint64_t)renderer->film.width * (uint64_t)renderer->film.height);
+    assert_true(count.accepted ==
+                renderer->film.samples * (uint64_t)renderer->film.width * (uint64_t)renderer->film.height);
     *pace = renderer->pace;
     return image;
 }

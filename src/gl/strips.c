@@ -20,7 +20,7 @@ enum {
 };
 
 /* The time of a piece, and the most that it may take if all of it is like its worst part. */
-static const double piece_s = 0.08, worst_piece_s = 0.16;
+static const double piece_s = 0.06, worst_piece_s = 0.12;
 
 static int smaller(int a, int b) {
     return a < b ? a : b;
