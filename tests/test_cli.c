@@ -211,6 +211,37 @@ static void test_interrupt(void **state) {
     assert_int_equal(WEXITSTATUS(status), 130);
 }
 
+/* A shader that takes a driver minutes: each function calls the one before it twice. */
+static const char *endless_shader(void) {
+    char text[4096];
+    size_t used = (size_t)snprintf(text, sizeof text,
+                                   "#include \"material/matte.glsl\"\n"
+                                   "#include \"shape/sphere.glsl\"\n"
+                                   "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
+                                   "    hit_sphere(ray, vec3(0.0), 1.0, 0, hit);\n}\n"
+                                   "float f0(float x) { return sin(x); }\n");
+    for (int i = 1; i <= 18; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "float f%d(float x) { return f%d(x) + f%d(x * 1.1); }\n", i, i - 1, i - 1);
+    snprintf(text + used, sizeof text - used,
+             "Material scene_material(Hit hit) { return matte(vec3(f18(hit.t))); }\n");
+    return support_write("endless.glsl", text);
+}
+
+/* Compiling ends after the time that it may take, and at once when it is interrupted. */
+static void test_compiling(void **state) {
+    (void)state;
+    const char *scene = endless_shader(), *program = getenv("MAGICHOUR"), *out = support_path("endless.pfm");
+    char command[2048];
+    support_expect(STATUS_SCENE, "the driver has compiled a shader for 0.5 s of processor time",
+                   "render '%s' --size 8x8 --spp 1 --compile-time 0.5 -o '%s'", scene, out);
+    snprintf(command, sizeof command,
+             "timeout --preserve-status -s TERM -k 20 1 '%s' render '%s' --size 8x8 --spp 1 --quiet -o '%s'; "
+             "exit $?",
+             program ? program : "build/magichour", scene, out);
+    assert_int_equal(WEXITSTATUS(system(command)), STATUS_INTERRUPTED);
+}
+
 /* What users look into: a scene's parameters, and the shader that it makes. */
 static void test_looking(void **state) {
     (void)state;
@@ -285,6 +316,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_auto),
         cmocka_unit_test(test_readme_scene),
         cmocka_unit_test(test_looking),
+        cmocka_unit_test(test_compiling),
     };
     return cmocka_run_group_tests_name("cli", tests, support_folder, support_clean);
 }

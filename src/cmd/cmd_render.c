@@ -208,9 +208,6 @@ static bool finish(RenderJob *job, Error *error) {
     figures->search_broken = job->search.broken;
     figures->search_cut = job->search.cut;
     figures->interrupted = interrupt_requested();
-    if (!figures->interrupted &&
-        !check_scene(&job->check, &job->context, &job->params, &job->renderer, error))
-        return false;
     figures->done = true;
     promise(job);
     progress_report(&job->progress, figures);
@@ -268,8 +265,18 @@ static bool render_scene(RenderJob *job, int argc, char **argv, Error *error) {
     if (job->options->verbose || job->options->files) render_say_choices(job);
     if (!render(job, error) || !write_outputs(job, argc, argv, error)) return false;
     if (!job->options->quiet) render_say_summary(job);
+    fflush(stdout);
+    /* The check compiles a program, which may take long: all is saved before it. */
+    interrupt_saved();
+    if (!job->figures.interrupted &&
+        !check_scene(&job->check, &job->context, &job->params, &job->renderer, error))
+        return false;
     render_warn(job);
     return true;
+}
+
+static double compile_seconds(const Options *options) {
+    return options->compile_seconds > 0 ? options->compile_seconds : 60;
 }
 
 Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
@@ -277,6 +284,7 @@ Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
     error->status = STATUS_DONE;
     interrupt_install();
     bool ok = open_scene(&job, error);
+    if (ok) interrupt_limit_compiling(compile_seconds(options), job.scene.file->path);
     if (ok && render_is_toy(&job))
         ok = render_toy(&job, argc, argv, error);
     else

@@ -3,14 +3,19 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "gl/program.h"
 
+#include <math.h>
 #include <signal.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <string.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 static volatile sig_atomic_t requested, keeps, line;
-static double first_seconds;
+static double first_seconds, compile_seconds;
+static char too_long[640];
 static const char clear_line[] = "\r\033[K";
 
 /* A second signal takes its default course, but not one that comes at once: `timeout` sends its signal both
@@ -43,6 +48,40 @@ void interrupt_install(void) {
 
 void interrupt_keep(void) {
     keeps = 1;
+}
+
+void interrupt_saved(void) {
+    keeps = 0;
+}
+
+/* Only what may be called in a handler. */
+static void end_compiling(int signal_number) {
+    (void)signal_number;
+    if (keeps) return;
+    if (line && write(STDERR_FILENO, clear_line, sizeof clear_line - 1) < 0) _exit(STATUS_SCENE);
+    if (write(STDERR_FILENO, too_long, strlen(too_long)) < 0) _exit(STATUS_SCENE);
+    _exit(STATUS_SCENE);
+}
+
+/* The timer counts the processor time of all threads, of which only one compiles. */
+static void watch_compiling(bool compiling) {
+    struct itimerval timer = {0};
+    double seconds = compiling ? compile_seconds : 0;
+    timer.it_value.tv_sec = (time_t)seconds;
+    timer.it_value.tv_usec = (suseconds_t)((seconds - floor(seconds)) * 1e6);
+    setitimer(ITIMER_PROF, &timer, NULL);
+}
+
+void interrupt_limit_compiling(double seconds, const char *scene) {
+    struct sigaction action = {.sa_handler = end_compiling, .sa_flags = SA_RESTART};
+    compile_seconds = seconds;
+    snprintf(too_long, sizeof too_long,
+             "magichour: %.400s: the driver has compiled a shader for %g s of processor time and is not done "
+             "(--compile-time): make the scene's functions smaller, or call them less often\n",
+             scene, seconds);
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGPROF, &action, NULL);
+    program_set_watch(watch_compiling);
 }
 
 void interrupt_line(bool open) {

@@ -12,6 +12,14 @@ void interrupt_install(void);
 void interrupt_keep(void);
 bool interrupt_requested(void);
 
+/* From now on all is saved again. */
+void interrupt_saved(void);
+
+/* Ends the program with a message if a driver takes longer than so many seconds of processor time to compile
+ * one shader, as long as there is nothing to save: a compilation cannot be stopped in any other way. `scene`
+ * is named in the message. */
+void interrupt_limit_compiling(double seconds, const char *scene);
+
 /* Tells whether there is an unfinished line on the terminal, which is then cleared when the program ends at
  * once. */
 void interrupt_line(bool open);

@@ -194,6 +194,8 @@ const OptionRow option_table[] = {
      NULL},
     {GROUP_OTHER, "--max-memory", "SIZE", R | V | S | H | E, TAKE(take_max_memory),
      "refuse a picture that needs more memory than this, such as 500M or 4G", NULL},
+    {GROUP_OTHER, "--compile-time", "SECONDS", R, TAKE(take_compile_seconds),
+     "end if the driver takes longer than this processor time to compile one shader; 60 by default", NULL},
     {GROUP_OTHER, "--progress", "KIND", R | S | H | E, WORD(progress, "tty,lines,json,none"),
      "tty (a line that is written over), lines (one every 5 seconds), json or none; tty on a terminal, else "
      "lines",

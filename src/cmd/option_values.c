@@ -139,6 +139,10 @@ bool take_seconds(Options *options, const char *name, const char *value, Error *
     return number_parse_range(name, value, 1e-3, 1e9, &options->seconds, error);
 }
 
+bool take_compile_seconds(Options *options, const char *name, const char *value, Error *error) {
+    return number_parse_range(name, value, 0.1, 1e6, &options->compile_seconds, error);
+}
+
 bool take_percent(Options *options, const char *name, const char *value, Error *error) {
     return number_parse_range(name, value, 1e-3, 1e3, &options->error.amount, error);
 }

@@ -61,6 +61,9 @@ typedef struct Options {
     /* A CSV of points that other programs reached. */
     const char *points;
 
+    /* Processor time that a driver may take to compile one shader; 0 for the default. */
+    double compile_seconds;
+
     unsigned seed;
     int depth;
     bool has_exposure;

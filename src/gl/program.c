@@ -49,12 +49,19 @@ static bool link_program(const GlApi *gl, GLuint program, Text *log) {
     return false;
 }
 
+static void (*watcher)(bool compiling);
+
+void program_set_watch(void (*watch)(bool compiling)) {
+    watcher = watch;
+}
+
 bool program_create(Program *program, const GlApi *gl, const GlslSource *fragment, Error *error) {
     Text log = {0};
     bool linked = false;
     *program = (Program){.gl = gl};
     GLuint vertex_shader = compile(gl, GL_VERTEX_SHADER, vertex_source, &log);
     char *plain = glsl_source_plain(fragment);
+    if (watcher) watcher(true);
     GLuint fragment_shader = compile(gl, GL_FRAGMENT_SHADER, plain, &log);
     free(plain);
     if (vertex_shader && fragment_shader) {
@@ -63,6 +70,7 @@ bool program_create(Program *program, const GlApi *gl, const GlslSource *fragmen
         gl->AttachShader(program->id, fragment_shader);
         linked = link_program(gl, program->id, &log);
     }
+    if (watcher) watcher(false);
     if (vertex_shader) gl->DeleteShader(vertex_shader);
     if (fragment_shader) gl->DeleteShader(fragment_shader);
     if (linked) {
@@ -206,6 +214,10 @@ void program_draw(const Program *program, int x, int y, int width, int height) {
     bind_textures(program);
     program->gl->Enable(GL_SCISSOR_TEST);
     program->gl->Scissor(x, y, width, height);
+    bool first = !program->table->drawn;
+    if (first && watcher) watcher(true);
     program->gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    if (first && watcher) watcher(false);
+    program->table->drawn = true;
     program->gl->Disable(GL_SCISSOR_TEST);
 }

@@ -19,6 +19,10 @@ typedef struct Program {
     struct ProgramTable *table;
 } Program;
 
+/* Tells who wants to know that a driver begins to compile, and that it is done: neither can be called off.
+ * NULL, as at first, is nobody. */
+void program_set_watch(void (*watch)(bool compiling));
+
 /* Compiles and links. Errors in the GLSL are STATUS_SCENE with "file:line: the driver's words": the first
  * error, and up to a few more lines after it. */
 MUST_CHECK bool program_create(Program *program, const GlApi *gl, const GlslSource *fragment, Error *error);

@@ -24,6 +24,8 @@ typedef struct ProgramTable {
     Text declared, files;
     /* The first name that was set although the text does not declare it; empty if there is none. */
     char unknown[80];
+    /* Whether the program has drawn. Drivers put a part of compiling off until then. */
+    bool drawn;
 } ProgramTable;
 
 /* Lists the uniforms of the linked program `id`, which must be in use, and gives units to its samplers, from
