@@ -498,6 +498,8 @@ static void test_stopped(void **state) {
     pace_set(&bench.aov.pace, SIZE, SIZE, 1);
     assert_true(renderer_pass(renderer, 64, yes, &error) &&
                 aov_pass(&bench.aov, renderer, renderer->film.samples, yes, &error));
+    assert_int_equal(bench.aov.samples, 0);
+    assert_true(aov_complete(&bench.aov, &error));
     assert_int_equal(bench.aov.samples, 1);
     Image image = bench_read(&bench);
     const float *normal = layer(&image, "normal"), *depth = layer(&image, ""),

@@ -1,17 +1,11 @@
 #include "chart/identity.h"
 
+#include "base/archive.h"
+
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-
-/* The hash is the 64-bit FNV-1a. */
-static uint64_t hash_bytes(uint64_t hash, const void *data, size_t size) {
-    const unsigned char *bytes = data;
-    if (!hash) hash = 0xcbf29ce484222325U;
-    for (size_t i = 0; i < size; i++) hash = (hash ^ bytes[i]) * 0x100000001b3U;
-    return hash;
-}
 
 static void print_values(const char *name, const double *values, int count, Text *out) {
     text_print(out, "%s", name);

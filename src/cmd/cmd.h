@@ -6,6 +6,7 @@
 /* Each returns the exit status for success (0, 6, 130), or sets the error and returns its status. */
 Status cmd_render(const Options *options, int argc, char **argv, Error *error);
 Status cmd_view(const Options *options, Error *error);
+Status cmd_merge(const Options *options, int argc, char **argv, Error *error);
 Status cmd_compare(const Options *options, Error *error);
 Status cmd_info(const Options *options, Error *error);
 Status cmd_flatten(const Options *options, Error *error);

@@ -2,6 +2,7 @@
 #include "base/version.h"
 #include "choice/method.h"
 #include "cmd/cmd.h"
+#include "cmd/info_file.h"
 #include "cmd/info_sun.h"
 #include "cmd/setup.h"
 #include "gl/context.h"
@@ -234,6 +235,9 @@ static bool info_program(const Options *options, Error *error) {
 }
 
 Status cmd_info(const Options *options, Error *error) {
-    bool ok = options->input_count ? info_scene(options, error) : info_program(options, error);
+    const char *input = options->input_count ? options->inputs[0] : NULL;
+    bool ok = !input                ? info_program(options, error)
+              : info_is_file(input) ? info_print_file(input, error)
+                                    : info_scene(options, error);
     return ok ? STATUS_DONE : error->status;
 }

@@ -13,7 +13,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-static volatile sig_atomic_t requested, keeps, line;
+static volatile sig_atomic_t requested, keeps, line, picture;
 static double first_seconds, compile_seconds;
 static char too_long[640];
 static const char clear_line[] = "\r\033[K";
@@ -44,6 +44,25 @@ void interrupt_install(void) {
     /* Nobody reads the progress any more: that must not lose the picture. */
     signal(SIGPIPE, SIG_IGN);
     file_set_stop(interrupt_requested);
+}
+
+static void ask_for_picture(int signal_number) {
+    (void)signal_number;
+    picture = 1;
+}
+
+void interrupt_answer(void) {
+    struct sigaction action = {.sa_handler = ask_for_picture, .sa_flags = SA_RESTART};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGUSR1, &action, NULL);
+}
+
+bool interrupt_picture_asked(void) {
+    return picture != 0;
+}
+
+void interrupt_picture_done(void) {
+    picture = 0;
 }
 
 void interrupt_keep(void) {

@@ -20,6 +20,13 @@ void interrupt_saved(void);
  * is named in the message. */
 void interrupt_limit_compiling(double seconds, const char *scene);
 
+/* From now on SIGUSR1 asks for the picture so far, in place of ending the program. */
+void interrupt_answer(void);
+bool interrupt_picture_asked(void);
+
+/* Notes that the picture was written. */
+void interrupt_picture_done(void);
+
 /* Tells whether there is an unfinished line on the terminal, which is then cleared when the program ends at
  * once. */
 void interrupt_line(bool open);

@@ -10,14 +10,16 @@ const CommandRow command_table[] = {
      "the sky alone: a lat-long map, or listed directions", 0, 0},
     {COMMAND_COMPARE, "compare", "compare A B [options]",
      "errors of picture A against the reference B; - is standard input", 2, 2},
-    {COMMAND_INFO, "info", "info [SCENE] [options]",
-     "scenes, backends, methods, atmospheres; a scene's parameters", 0, 1},
+    {COMMAND_INFO, "info", "info [SCENE|FILE] [options]",
+     "scenes, backends, methods, atmospheres; a scene's parameters; what a picture or a checkpoint is", 0, 1},
     {COMMAND_FLATTEN, "flatten", "flatten SCENE [options]",
      "print the shader that a scene and its methods make", 1, 1},
     {COMMAND_CHART, "chart", "chart SCENE -o DIR [options]",
      "measure speed against accuracy on this machine, and draw it", 1, 1},
     {COMMAND_EXPLAIN, "explain", "explain SCENE [options]",
      "what a scene needs: the change and the cost of each term of the model", 1, 1},
+    {COMMAND_MERGE, "merge", "merge A B ... -o FILE [options]",
+     "pictures of other samples or other pixels of the same picture become one", 1, MOST_INPUTS},
     {COMMAND_HELP, "help", "help [COMMAND]", "the commands, or a command's options", 0, 1},
     {COMMAND_VERSION, "version", "version", "the program's version", 0, 0},
 };
@@ -35,7 +37,8 @@ enum {
     S = COMMAND_SKY,
     H = COMMAND_CHART,
     E = COMMAND_EXPLAIN,
-    ALL = R | V | C | I | F | S | H | E | COMMAND_HELP | COMMAND_VERSION
+    M = COMMAND_MERGE,
+    ALL = R | M | V | C | I | F | S | H | E | COMMAND_HELP | COMMAND_VERSION
 };
 
 /* These are a row's kind, function, offset and words. */
@@ -48,9 +51,9 @@ enum {
 #define FLAG(member) OPTION_FLAG, NULL, offsetof(Options, member), NULL
 
 const OptionRow option_table[] = {
-    {GROUP_OUTPUT, "-o", "FILE", R | S, TAKE(take_output),
+    {GROUP_OUTPUT, "-o", "FILE", R | S | M, TAKE(take_output),
      "write the picture: .exr, .png or .pfm; - is standard output; may be repeated", "--output"},
-    {GROUP_OUTPUT, "--format", "FORMAT", R | S, WORD(format, "exr,png,pfm"),
+    {GROUP_OUTPUT, "--format", "FORMAT", R | S | M, WORD(format, "exr,png,pfm"),
      "exr, png or pfm: the format of an -o that names none, such as -, and of a single -o whatever its "
      "ending",
      NULL},
@@ -69,8 +72,10 @@ const OptionRow option_table[] = {
      "picture size in pixels; the scene's by default", NULL},
     {GROUP_OUTPUT, "--exposure", "EV", R | V | S, TAKE(take_exposure),
      "for .png: radiance times 2^EV; the scene's by default", NULL},
-    {GROUP_OUTPUT, "--tone", "CURVE", R | S, WORD(tone, "author,none"),
+    {GROUP_OUTPUT, "--tone", "CURVE", R | S | M, WORD(tone, "author,none"),
      "for .png: author or none; author by default", NULL},
+    {GROUP_OUTPUT, "--exposure", "EV", M, TAKE(take_exposure),
+     "for .png: radiance times 2^EV; that of the first picture by default", NULL},
     {GROUP_OUTPUT, "--exposure", "EV", C, TAKE(take_exposure),
      "for levels: radiance times 2^EV; by default that of B's metadata (of A's if only A is a PNG), or 0",
      NULL},
@@ -160,6 +165,13 @@ const OptionRow option_table[] = {
      NULL},
     {GROUP_ACCURACY, "--spp", "N", V, TAKE(take_samples),
      "samples per pixel, after which the picture rests; a million by default", NULL},
+    {GROUP_ACCURACY, "--first-sample", "K", R, TAKE(take_first_sample),
+     "begin with sample K of every pixel (0 is the first): a part of a picture that other runs render too, "
+     "for "
+     "`merge`",
+     NULL},
+    {GROUP_ACCURACY, "--of", "N", R, TAKE(take_of),
+     "for --first-sample: the samples of the whole picture, by which `auto` chooses as one run would", NULL},
     {GROUP_ACCURACY, "--seed", "N", R | V, TAKE(take_seed), "the seed of all random numbers; 0 by default",
      NULL},
     {GROUP_ACCURACY, "--depth", "N", R | V | H | E, TAKE(take_depth),
@@ -179,6 +191,19 @@ const OptionRow option_table[] = {
      "how the orders of scattering beyond the first are computed", NULL},
     {GROUP_METHODS, "--light", "METHOD", R | V | F, STRING(light), "how paths continue after a hit", NULL},
     {GROUP_METHODS, "--sequence", "METHOD", R | V | F, STRING(sequence), "the random numbers", NULL},
+
+    {GROUP_OUTPUT, "--final", NULL, M, FLAG(final),
+     "leave out the sums that are needed to merge the result with others", NULL},
+    {GROUP_OUTPUT, "--crop", "X,Y,W,H", R, TAKE(take_crop),
+     "render these pixels of the picture alone: W columns from X on, H rows from Y on", NULL},
+    {GROUP_OUTPUT, "--checkpoint", "FILE", R, STRING(checkpoint),
+     "keep a checkpoint in this file, from which --resume goes on; the one before is FILE.old", NULL},
+    {GROUP_OUTPUT, "--checkpoint-every", "SECONDS", R, TAKE(take_checkpoint_seconds),
+     "time between checkpoints; 60 by default", NULL},
+    {GROUP_OUTPUT, "--resume", "FILE", R, STRING(resume),
+     "go on from a checkpoint of the same picture. It may be the file of --checkpoint: where there is none "
+     "yet, the picture begins",
+     NULL},
 
     {GROUP_OTHER, "--backend", "NAME", R | I | S | H | E, STRING(backend), "auto, egl, osmesa or glfw", NULL},
     {GROUP_OTHER, "--glsl-dir", "DIR", R | V | I | F | S | H | E, STRING(glsl_dir),
@@ -203,7 +228,7 @@ const OptionRow option_table[] = {
     {GROUP_OTHER, "--progress", "KIND", V, WORD(progress, "json,none"),
      "json or none, for the window shows its progress; none by default", NULL},
     {GROUP_OTHER, "--quiet", NULL, C, FLAG(quiet), "print nothing: only the exit status", NULL},
-    {GROUP_OTHER, "--quiet", NULL, R | S | H | E, FLAG(quiet), "no summary, no progress", NULL},
+    {GROUP_OTHER, "--quiet", NULL, R | S | H | E | M, FLAG(quiet), "no summary, no progress", NULL},
     {GROUP_OTHER, "-v", NULL, R, FLAG(verbose), "say what is chosen and why", NULL},
     {GROUP_OTHER, "-v", NULL, I, FLAG(verbose), "list all settings of the scene's atmosphere", NULL},
     {GROUP_OTHER, "-vv", NULL, R, FLAG(files), "the same, and the files that are compiled", NULL},

@@ -121,6 +121,33 @@ bool take_samples(Options *options, const char *name, const char *value, Error *
     return take_count(name, value, 1, 1ULL << 24, &options->samples, error);
 }
 
+bool take_first_sample(Options *options, const char *name, const char *value, Error *error) {
+    options->has_first_sample = true;
+    return take_count(name, value, 0, 1ULL << 40, &options->first_sample, error);
+}
+
+bool take_of(Options *options, const char *name, const char *value, Error *error) {
+    return take_count(name, value, 1, 1ULL << 40, &options->of, error);
+}
+
+bool take_crop(Options *options, const char *name, const char *value, Error *error) {
+    unsigned long long numbers[4];
+    const char *at = value;
+    for (int i = 0; i < 4; i++) {
+        char number[16];
+        size_t length = strcspn(at, ",");
+        bool last = i == 3, fits = length < sizeof number;
+        snprintf(number, sizeof number, "%.*s", fits ? (int)length : 0, at);
+        if (!fits || !count_parse(number, &numbers[i]) || numbers[i] > 65536 || (at[length] == ',') == last)
+            return error_set(error, STATUS_USAGE, "%s: '%s' is not X,Y,WIDTH,HEIGHT in pixels", name, value);
+        at += length + !last;
+    }
+    if (!numbers[2] || !numbers[3])
+        return error_set(error, STATUS_USAGE, "%s: '%s': a picture has at least 1x1 pixels", name, value);
+    options->crop = (Rectangle){(int)numbers[0], (int)numbers[1], (int)numbers[2], (int)numbers[3]};
+    return true;
+}
+
 bool take_seed(Options *options, const char *name, const char *value, Error *error) {
     unsigned long long seed = 0;
     if (!take_count(name, value, 0, 4294967295ULL, &seed, error)) return false;
@@ -141,6 +168,10 @@ bool take_seconds(Options *options, const char *name, const char *value, Error *
 
 bool take_compile_seconds(Options *options, const char *name, const char *value, Error *error) {
     return number_parse_range(name, value, 0.1, 1e6, &options->compile_seconds, error);
+}
+
+bool take_checkpoint_seconds(Options *options, const char *name, const char *value, Error *error) {
+    return number_parse_range(name, value, 1e-2, 1e9, &options->checkpoint_seconds, error);
 }
 
 bool take_percent(Options *options, const char *name, const char *value, Error *error) {

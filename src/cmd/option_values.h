@@ -7,8 +7,9 @@
 typedef bool OptionTake(Options *options, const char *name, const char *value, Error *error);
 
 OptionTake take_output, take_layer, take_setting, take_allowed, take_size, take_sun, take_samples, take_seed,
-    take_depth, take_seconds, take_compile_seconds, take_error, take_percent, take_exposure, take_max_relrmse,
-    take_max_bias, take_max_levels, take_frames, take_frame_rate, take_max_memory;
+    take_depth, take_seconds, take_compile_seconds, take_first_sample, take_of, take_crop,
+    take_checkpoint_seconds, take_error, take_percent, take_exposure, take_max_relrmse, take_max_bias,
+    take_max_levels, take_frames, take_frame_rate, take_max_memory;
 
 /* Keeps a value that is one of the words between commas. */
 MUST_CHECK bool take_word(const char *words, const char *name, const char *value, const char **target,

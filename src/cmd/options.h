@@ -18,13 +18,17 @@ typedef enum Command {
     COMMAND_CHART = 1 << 6,
     COMMAND_EXPLAIN = 1 << 7,
     COMMAND_HELP = 1 << 8,
-    COMMAND_VERSION = 1 << 9
+    COMMAND_VERSION = 1 << 9,
+    COMMAND_MERGE = 1 << 10
 } Command;
+
+/* Files that a command may take: `merge` takes so many. */
+enum { MOST_INPUTS = 1024 };
 
 /* Options that were not given are NULL, 0 or false, unless it is said otherwise. Strings belong to argv. */
 typedef struct Options {
     Command command;
-    const char *inputs[2];
+    const char *inputs[MOST_INPUTS];
     int input_count;
     const char *outputs[8];
     int output_count;
@@ -53,6 +57,16 @@ typedef struct Options {
     int allowed_count;
 
     unsigned long long samples;
+    /* The number of the first sample, and whether it was given. */
+    unsigned long long first_sample;
+    bool has_first_sample;
+    /* The samples of the whole picture, of which these are a part; 0 if it was not given. */
+    unsigned long long of;
+    /* The part of the picture that is rendered; empty for all of it. */
+    Rectangle crop;
+    /* Files of checkpoints, and seconds between them; 0 if it was not given. */
+    const char *checkpoint, *resume;
+    double checkpoint_seconds;
     double seconds;
     ErrorTarget error;
 
@@ -116,6 +130,9 @@ typedef struct Options {
     /* For `compare`: the layer of both pictures, or of A and of B. */
     const char *layers[2];
     int layer_count;
+
+    /* For `merge`: the result cannot be merged again. */
+    bool final;
 
     /* For `compare`: where to write both pictures and their difference. */
     const char *side_by_side;

@@ -15,6 +15,12 @@ bool options_check(const Options *options, Error *error) {
     if (command == COMMAND_RENDER && options->error.amount > 0 && options->samples)
         return error_set(error, STATUS_USAGE,
                          "--error takes as many samples as it needs, --spp takes so many: one of them");
+    if (options->of && !options->has_first_sample)
+        return error_set(error, STATUS_USAGE,
+                         "--of: the samples of the whole, of a part that --first-sample begins");
+    if (options->of && options->of < options->first_sample + options->samples)
+        return error_set(error, STATUS_USAGE, "--of %llu: the part ends with sample %llu", options->of,
+                         options->first_sample + options->samples - 1);
     if (options->has_sun && (options->when || options->where))
         return error_set(error, STATUS_USAGE,
                          "--sun says where the sun stands, and so do --when and --where: one of them");

@@ -1,11 +1,28 @@
+#include "base/memory.h"
 #include "base/version.h"
 #include "cmd/render_job.h"
+#include "cmd/render_write.h"
 #include "error/noise_figures.h"
+#include "error/part.h"
 #include "image/sun_pixels.h"
 #include "render/describe.h"
+#include "render/identity.h"
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdlib.h>
+
+/* What the errors leave out of the rendered area. */
+static void describe_sun(const Noise *noise, AttributeList *list) {
+    size_t pixels = (size_t)noise->width * (size_t)noise->height;
+    unsigned char *sun = memory_get(pixels, 1);
+    for (size_t i = 0; i < pixels; i++) {
+        int x = (int)(i % (size_t)noise->width), y = (int)(i / (size_t)noise->width);
+        sun[i] = noise->left_out[i] && rectangle_holds(&noise->area, x, y);
+    }
+    sun_pixels_describe(sun, noise->width, noise->height, list);
+    free(sun);
+}
 
 static void describe_errors(const RenderJob *job, AttributeList *list) {
     const ProgressFigures *figures = &job->figures;
@@ -20,12 +37,48 @@ static void describe_errors(const RenderJob *job, AttributeList *list) {
     }
     if (figures->promise)
         attribute_add(list, "magichour.promised", "%s", job->promise.given ? "true" : job->promise.reason);
-    sun_pixels_describe(noise->left_out, noise->width, noise->height, list);
+    describe_sun(noise, list);
 }
 
-void render_describe(const RenderJob *job, int argc, char **argv, AttributeList *list) {
+bool render_identity(const RenderJob *job, Text *lines, Error *error) {
+    const Options *options = job->options;
+    if (!identity_print(&job->params, &job->renderer, options->aov, lines, error)) return false;
+    if (job->adaptive.measure == NOISE_LEVELS)
+        text_print(lines, "measure levels, exposure %.17g, tone %d\n", job->scene.values.exposure_ev,
+                   (int)render_tone(options));
+    else
+        text_print(lines, "measure percent\n");
+    return true;
+}
+
+/* Which of the picture's samples these are, if they are a part. */
+static void describe_part(const RenderJob *job, AttributeList *list) {
+    const Renderer *renderer = &job->renderer;
+    PartPiece piece = {renderer->area, renderer->first_sample, job->adaptive.most};
+    const FilmSearch *search = &job->search;
+    Text identity = {0};
+    Error error;
+    if (!render_is_part(job->options) || !render_identity(job, &identity, &error)) return;
+    Part part = {.pieces = &piece,
+                 .piece_count = 1,
+                 .identity = identity.data,
+                 .light_first = (double)renderer->light.first,
+                 .light_paths = renderer->film.light_paths,
+                 .light_scale = renderer->film.light_scale,
+                 .search = {search->rays, search->steps, search->broken, search->cut},
+                 .layers = part_layers_of(&renderer->film),
+                 .luck = plan_counts_chance(&renderer->plan) || renderer->plan.needs.emits};
+    part_describe(&part, list);
+    text_free(&identity);
+}
+
+bool render_is_part(const Options *options) {
+    return options->has_first_sample || options->crop.width;
+}
+
+void render_describe(const RenderJob *job, AttributeList *list) {
     Text command = {0};
-    text_print_command(&command, argc, argv);
+    text_print_command(&command, job->argc, job->argv);
     attribute_add(list, "magichour.version", "%s", MAGICHOUR_VERSION);
     attribute_add(list, "magichour.command", "%s", text_string(&command));
     if (job->options->aov) attribute_add(list, "magichour.aov", "%s", job->options->aov);
@@ -51,5 +104,6 @@ void render_describe(const RenderJob *job, int argc, char **argv, AttributeList 
     }
     attribute_add(list, "magichour.seconds", "%.6f", job->figures.seconds);
     describe_picture(list, &job->scene, &job->renderer, &job->context);
+    describe_part(job, list);
     text_free(&command);
 }

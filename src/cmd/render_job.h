@@ -13,12 +13,17 @@
 
 typedef struct RenderJob {
     const Options *options;
+    /* The command line. */
+    int argc;
+    char **argv;
     Progress progress;
     char *library;
     Scene scene;
     Context context;
     /* Their scene is the one above. */
     RenderParams params;
+    /* The methods that a checkpoint recalls. */
+    Text recalled[5];
     Renderer renderer;
     Adaptive adaptive;
     unsigned aov_kinds;
@@ -32,6 +37,9 @@ typedef struct RenderJob {
     /* Whether the layer of variances has pixels whose variance is not known. */
     bool variance_unknown;
     ProgressFigures figures;
+    /* Seconds of rendering before this run, which --resume continues. */
+    double earlier_seconds;
+    bool checkpoint_written;
     /* Whether the target error is promised. Means nothing without a target. */
     Promise promise;
 } RenderJob;
@@ -39,8 +47,15 @@ typedef struct RenderJob {
 /* The sky's bias in a measure, or NAN if it is not known. */
 double render_bias(const RenderJob *job, NoiseMeasure measure);
 
+/* Appends the lines that say what the samples depend on (render/identity.h). In levels, that is how the
+ * picture is shown, too. */
+MUST_CHECK bool render_identity(const RenderJob *job, Text *lines, Error *error);
+
+/* Whether the picture is a part of another, or can be one (error/part.h). */
+bool render_is_part(const Options *options);
+
 /* Adds the metadata from which the picture can be made again, and what is known of its error. */
-void render_describe(const RenderJob *job, int argc, char **argv, AttributeList *list);
+void render_describe(const RenderJob *job, AttributeList *list);
 
 /* Prints the backend on standard error. */
 void render_say_backend(const RenderJob *job);

@@ -44,7 +44,8 @@ static void say_error(const RenderJob *job) {
     double bias = render_bias(job, measure), error = figures->error[measure];
     if (error < INFINITY) {
         printf("; estimated error %.3g %s%s: noise %.3g %s", error, unit,
-               noise->counted < (long)noise->width * noise->height ? " without the sun's own image" : "",
+               noise->counted < (long)noise->area.width * noise->area.height ? " without the sun's own image"
+                                                                             : "",
                figures->noise[measure], unit);
     }
     if (isnan(bias))

@@ -15,14 +15,9 @@ enum {
     EVEN_SAMPLES = 8,
     /* A plan made from fewer samples of a pixel, on average, is no reason to give up. */
     JUDGED_SAMPLES = 256,
-    /* A round without a plan may be due to roundings. So many in turn are not. */
-    AIMLESS_ROUNDS = 3,
     /* With evenly spread samples, the noise is not measured before this part of them (an eighth) is taken. */
     MEASURED_SHARE = 8
 };
-
-/* In a picture in which no path has found light so far, all of it may be found only by luck. */
-static const uint64_t paths_of_black = (uint64_t)1 << 20;
 
 static int count_tiles(const Adaptive *adaptive) {
     return adaptive->noise.columns * adaptive->noise.rows;
@@ -40,6 +35,10 @@ void adaptive_destroy(Adaptive *adaptive) {
     free(adaptive->wanted);
     free(adaptive->regions);
     *adaptive = (Adaptive){0};
+}
+
+static double area_pixels(const Adaptive *adaptive) {
+    return (double)adaptive->noise.area.width * adaptive->noise.area.height;
 }
 
 static double tile_pixels(const NoiseTile *tile) {
@@ -63,7 +62,7 @@ static int choose(Adaptive *adaptive, double target) {
         planned += ldexp(tile_pixels(tile) * (double)tile->samples, doublings[i]);
     }
     free(doublings);
-    adaptive->planned = (planned + ldexp(noise->light.paths, light)) / ((double)noise->width * noise->height);
+    adaptive->planned = (planned + ldexp(noise->light.paths, light)) / area_pixels(adaptive);
     return count + (light > 0);
 }
 
@@ -116,6 +115,10 @@ static void count_samples(Adaptive *adaptive, uint64_t taken) {
     }
 }
 
+static bool pauses(const Adaptive *adaptive) {
+    return adaptive->pause && adaptive->pause();
+}
+
 /* Doubles the chosen tiles. Each draw gives a group of samples to all tiles that are not done. One draw of
  * many tiles keeps all cores busy; separate draws for each number of samples would not. */
 static bool double_tiles(Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), Error *error) {
@@ -135,35 +138,39 @@ static bool double_tiles(Adaptive *adaptive, Renderer *renderer, bool (*stop)(vo
         count = make_regions(adaptive, group, group);
         film_keep(&renderer->film, adaptive->regions, count);
         count_samples(adaptive, group);
+        if (pauses(adaptive)) break;
     }
     return true;
 }
 
-/* Doubles the light paths if the plan says so. */
-static bool double_light(const Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), Error *error) {
-    if (!(adaptive->wanted_light > 0) || clock_seconds() >= adaptive->deadline || (stop && stop()))
+/* Traces what the plan wants of light paths, when the tiles are done. */
+static bool double_light(Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), Error *error) {
+    if (!(adaptive->wanted_light > 0) || fewest_wanted(adaptive) < UINT64_MAX ||
+        clock_seconds() >= adaptive->deadline || (stop && stop()))
         return true;
-    return renderer_light(renderer, (uint64_t)adaptive->wanted_light, stop, error);
+    double before = renderer->film.light_paths;
+    bool ok = renderer_light(renderer, (uint64_t)adaptive->wanted_light, stop, error);
+    adaptive->wanted_light -= renderer->film.light_paths - before;
+    return ok;
 }
 
 /* Notes that all tiles have the film's number of samples. */
 static void set_samples(Adaptive *adaptive, const Film *film) {
     for (int i = 0; i < count_tiles(adaptive); i++) adaptive->noise.tiles[i].samples = film->samples;
-    adaptive->paths = film->samples * (uint64_t)film->width * (uint64_t)film->height;
+    adaptive->paths = film->samples * (uint64_t)area_pixels(adaptive);
     adaptive->least = adaptive->most = film->samples;
 }
 
-/* Gives the same number of samples to all tiles. */
+/* Brings all tiles to the same number of samples, and their light paths with them. */
 static bool sample_evenly(Adaptive *adaptive, Renderer *renderer, bool (*stop)(void), Error *error) {
     Film *film = &renderer->film;
-    uint64_t before = film->samples, wanted = before ? before : FIRST_SAMPLES;
-    if (before + wanted > TILE_MOST_SAMPLES) wanted = 0;
-    while (film->samples - before < wanted && !(stop && stop() && film->samples)) {
+    while (film->samples < adaptive->even && !(stop && stop() && film->samples)) {
         if (film->samples && clock_seconds() >= adaptive->deadline) break;
-        if (!renderer_pass(renderer, wanted - (film->samples - before), stop, error)) return false;
+        if (!renderer_pass(renderer, adaptive->even - film->samples, stop, error)) return false;
+        if (pauses(adaptive)) break;
     }
     set_samples(adaptive, film);
-    return true;
+    return renderer_catch_up(renderer, stop, error);
 }
 
 static void find_range(Adaptive *adaptive) {
@@ -196,61 +203,83 @@ static bool measure(Adaptive *adaptive, const Renderer *renderer, Error *error) 
 
 /* Notes whether the plan that was made last is beyond what is done for a picture. */
 static void judge_plan(Adaptive *adaptive) {
-    double pixels = (double)adaptive->noise.width * adaptive->noise.height;
+    double pixels = area_pixels(adaptive);
     bool judged = (double)adaptive->paths >= JUDGED_SAMPLES * pixels;
     bool beyond = judged && adaptive->planned > (double)ADAPTIVE_MOST_SAMPLES;
     adaptive->beyond = beyond ? adaptive->beyond + 1 : 0;
 }
 
 /* Notes whether a round has gone without a plan although the error is known, and without adding anything. */
-static void judge_round(Adaptive *adaptive, bool planned, bool added) {
-    adaptive->aimless = !planned && adaptive->claimed ? adaptive->aimless + 1 : 0;
+static void judge_round(Adaptive *adaptive, const Renderer *renderer, bool stopped) {
+    bool added = adaptive->paths > adaptive->paths_before ||
+                 renderer->film.light_paths > adaptive->light_before || stopped;
+    adaptive->aimless = !adaptive->chosen && adaptive->claimed ? adaptive->aimless + 1 : 0;
     adaptive->idle = !added;
 }
 
-bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double target, bool (*stop)(void), Error *error) {
-    bool even = renderer->film.samples < EVEN_SAMPLES || !evidence_is_there(&renderer->plan);
+/* Chooses what the next round does. */
+static void begin_round(Adaptive *adaptive, const Renderer *renderer, double target) {
+    uint64_t samples = renderer->film.samples;
+    bool even = samples < EVEN_SAMPLES || !evidence_is_there(&renderer->plan);
     int chosen = even ? 0 : choose(adaptive, target);
-    uint64_t paths = adaptive->paths;
-    double light_paths = renderer->film.light_paths;
+    adaptive->chosen = chosen > 0;
+    adaptive->paths_before = adaptive->paths;
+    adaptive->light_before = renderer->film.light_paths;
     if (chosen) judge_plan(adaptive);
     /* If no tile is worth a doubling so early, as in a picture of the sky alone, all tiles get samples until
      * an error can be reported. */
-    if (!chosen && adaptive->most == renderer->film.samples) even = true;
+    if (!chosen && adaptive->most == samples) even = true;
     if (!even && !chosen) choose_all(adaptive);
-    if (even ? !sample_evenly(adaptive, renderer, stop, error)
-             : !double_tiles(adaptive, renderer, stop, error) ||
-                   !double_light(adaptive, renderer, stop, error)) {
-        return false;
-    }
+    adaptive->even = !even ? 0 : !samples ? FIRST_SAMPLES : 2 * samples;
+    if (adaptive->even > TILE_MOST_SAMPLES) adaptive->even = samples;
+    adaptive->under_way = true;
+}
+
+/* Whether the round has got all that it wanted. */
+static bool is_complete(const Adaptive *adaptive, const Renderer *renderer) {
+    if (adaptive->even) return renderer->film.samples >= adaptive->even && !renderer_is_behind(renderer);
+    return fewest_wanted(adaptive) == UINT64_MAX && !(adaptive->wanted_light > 0);
+}
+
+/* Ends a round: measures the picture that there is. */
+static bool end_round(Adaptive *adaptive, const Renderer *renderer, bool stopped, Error *error) {
+    adaptive->under_way = false;
+    adaptive->wanted_light = 0;
+    for (int i = 0; i < count_tiles(adaptive); i++) adaptive->wanted[i] = 0;
     adaptive->rounds++;
-    bool stopped = (stop && stop()) || clock_seconds() >= adaptive->deadline;
-    judge_round(adaptive, chosen > 0,
-                adaptive->paths > paths || renderer->film.light_paths > light_paths || stopped);
+    judge_round(adaptive, renderer, stopped);
     find_range(adaptive);
     return measure(adaptive, renderer, error);
+}
+
+bool adaptive_settle(Adaptive *adaptive, const Renderer *renderer, Error *error) {
+    return !adaptive->under_way || end_round(adaptive, renderer, true, error);
+}
+
+bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double target, bool (*stop)(void), Error *error) {
+    if (!adaptive->under_way) begin_round(adaptive, renderer, target);
+    if (adaptive->even ? !sample_evenly(adaptive, renderer, stop, error)
+                       : !double_tiles(adaptive, renderer, stop, error) ||
+                             !double_light(adaptive, renderer, stop, error)) {
+        return false;
+    }
+    if (pauses(adaptive) && !is_complete(adaptive, renderer)) return true;
+    bool stopped = (stop && stop()) || clock_seconds() >= adaptive->deadline;
+    return end_round(adaptive, renderer, stopped, error);
 }
 
 bool adaptive_pass(Adaptive *adaptive, Renderer *renderer, uint64_t samples, bool (*stop)(void),
                    Error *error) {
     const Film *film = &renderer->film;
-    if (!renderer_pass(renderer, samples - film->samples, stop, error)) return false;
+    bool ok = adaptive->under_way ? renderer_catch_up(renderer, stop, error)
+                                  : renderer_pass(renderer, samples - film->samples, stop, error);
+    if (!ok) return false;
+    adaptive->under_way = false;
     set_samples(adaptive, film);
+    if (pauses(adaptive) && renderer_is_behind(renderer)) {
+        adaptive->under_way = true;
+        return true;
+    }
     bool doubling = film->samples && !(film->samples & (film->samples - 1));
     return !doubling || film->samples * MEASURED_SHARE < samples || measure(adaptive, renderer, error);
-}
-
-double adaptive_error(const Adaptive *adaptive, NoiseMeasure measure) {
-    /* Light that few samples find, such as that of a lamp without a hint, would be missed by an earlier
-     * estimate. In a black picture all of it may be missing. */
-    if (!adaptive->claimed || adaptive->noise.largest <= 0) return INFINITY;
-    return noise_error(&adaptive->noise, measure);
-}
-
-AdaptiveEnd adaptive_end(const Adaptive *adaptive) {
-    bool black = adaptive->claimed && adaptive->noise.largest <= 0 && adaptive->paths >= paths_of_black;
-    if (black) return ADAPTIVE_BLACK;
-    if (adaptive->idle) return ADAPTIVE_FULL;
-    if (adaptive->beyond >= 2) return ADAPTIVE_BEYOND;
-    return adaptive->aimless >= AIMLESS_ROUNDS ? ADAPTIVE_AIMLESS : ADAPTIVE_GOES_ON;
 }

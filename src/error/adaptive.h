@@ -33,6 +33,17 @@ typedef struct Adaptive {
     /* The least and the largest number of samples of a pixel. */
     uint64_t least, most;
     int rounds;
+    /* Asked between groups of samples; NULL if nobody asks. When it returns true, a round ends before its
+     * samples are complete: it is under way. The next call goes on with it, as if nothing had been in
+     * between. */
+    bool (*pause)(void);
+    bool under_way;
+    /* The samples of each pixel that a round under way brings all tiles to; 0 if it doubles tiles. */
+    uint64_t even;
+    /* Whether the round has a plan, and the paths and light paths before it. */
+    bool chosen;
+    uint64_t paths_before;
+    double light_before;
     /* The samples of a pixel, on average, with which the plan reaches the target. */
     double planned;
     /* How many of the last rounds planned more than ADAPTIVE_MOST_SAMPLES, and how many found no tile to
@@ -71,6 +82,13 @@ void adaptive_destroy(Adaptive *adaptive);
  * later ones the tiles of the plan. `stop` is as for renderer_pass(), and may be NULL. */
 MUST_CHECK bool adaptive_round(Adaptive *adaptive, Renderer *renderer, double target, bool (*stop)(void),
                                Error *error);
+
+/* Ends a round that is under way: measures the picture that there is. */
+MUST_CHECK bool adaptive_settle(Adaptive *adaptive, const Renderer *renderer, Error *error);
+
+/* Saves the state of a picture, or loads it into one that was just begun with the same parameters. Without
+ * the pointers and the deadline, it is all that the next round depends on. */
+void adaptive_archive(Adaptive *adaptive, Archive *archive);
 
 /* Renders one group of samples for all pixels, on the way to `samples` samples of each. The film must have
  * fewer. The noise is measured at the last few doublings only. */

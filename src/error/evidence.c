@@ -14,7 +14,7 @@ enum { ENOUGH_SAMPLES = 16, ENOUGH_PATHS = 1 << 20 };
 
 Noise evidence_begin(const Renderer *renderer, const ToneTable *tone) {
     const Film *film = &renderer->film;
-    Noise noise = noise_create(film->width, film->height, tone);
+    Noise noise = noise_create_area(film->width, film->height, renderer->area, tone);
     unsigned char *sun = memory_get((size_t)film->width * (size_t)film->height, 1);
     sun_image_pixels(&renderer->sun_image, film->width, sun);
     noise_leave_out(&noise, sun);

@@ -20,18 +20,28 @@ static const double certainty[NOISE_MEASURES] = {1.05, 1.1};
  * them) of itself. Up to this much is within the certainty. */
 static const double spread_error = 0.7, spread_within = 0.05;
 
-static int smaller(int a, int b) {
-    return a < b ? a : b;
+Noise noise_create(int width, int height, const ToneTable *tone) {
+    return noise_create_area(width, height, (Rectangle){0, 0, width, height}, tone);
 }
 
-Noise noise_create(int width, int height, const ToneTable *tone) {
-    Noise noise = {.width = width, .height = height, .counted = (long)width * height};
+/* Leaves out the pixels outside of the area. */
+static void leave_out_rest(Noise *noise) {
+    const Rectangle *area = &noise->area;
+    for (int y = 0; y < noise->height; y++)
+        for (int x = 0; x < noise->width; x++)
+            noise->left_out[(size_t)y * (size_t)noise->width + (size_t)x] = !rectangle_holds(area, x, y);
+}
+
+Noise noise_create_area(int width, int height, Rectangle area, const ToneTable *tone) {
+    Noise noise = {.width = width, .height = height, .area = area, .counted = (long)area.width * area.height};
     size_t pixels = (size_t)width * (size_t)height;
-    noise.columns = (width + NOISE_TILE - 1) / NOISE_TILE;
-    noise.rows = (height + NOISE_TILE - 1) / NOISE_TILE;
+    int first_column = area.x / NOISE_TILE, first_row = area.y / NOISE_TILE;
+    noise.columns = (area.x + area.width + NOISE_TILE - 1) / NOISE_TILE - first_column;
+    noise.rows = (area.y + area.height + NOISE_TILE - 1) / NOISE_TILE - first_row;
     noise.tiles = memory_get((size_t)noise_tile_count(&noise), sizeof *noise.tiles);
     noise.before = memory_get(3 * pixels, sizeof *noise.before);
     noise.left_out = memory_get(pixels, 1);
+    leave_out_rest(&noise);
     if (tone) {
         noise.tone = memory_get(1, sizeof *noise.tone);
         *noise.tone = *tone;
@@ -39,8 +49,9 @@ Noise noise_create(int width, int height, const ToneTable *tone) {
     for (int i = 0; i < NOISE_MEASURES; i++)
         noise.figures[i] = (NoiseFigures){independent_fall, independent_fall, certainty[i]};
     for (int i = 0; i < noise_tile_count(&noise); i++) {
-        int x = i % noise.columns * NOISE_TILE, y = i / noise.columns * NOISE_TILE;
-        Rectangle r = {x, y, smaller(NOISE_TILE, width - x), smaller(NOISE_TILE, height - y)};
+        Rectangle cell = {(first_column + i % noise.columns) * NOISE_TILE,
+                          (first_row + i / noise.columns) * NOISE_TILE, NOISE_TILE, NOISE_TILE};
+        Rectangle r = rectangle_overlap(&cell, &area);
         noise.tiles[i] = (NoiseTile){.pixels = r, .counted = r.width * r.height};
     }
     return noise;

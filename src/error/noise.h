@@ -24,6 +24,7 @@
 
 #include <stdint.h>
 
+#include "base/archive.h"
 #include "gl/camera.h"
 #include "image/image.h"
 #include "image/tone_table.h"
@@ -100,13 +101,17 @@ typedef struct NoiseFigures {
 
 typedef struct Noise {
     int width, height, columns, rows;
-    /* columns * rows tiles, row by row. */
+    /* The part of the picture that is rendered. All pixels outside of it are left out. */
+    Rectangle area;
+    /* columns * rows tiles, row by row: the cells of a grid over the picture, where they reach into the area.
+     */
     NoiseTile *tiles;
     /* 3 numbers for each pixel: the mean, without the light of light paths, that the next mean is compared
      * with. */
     float *before;
     NoiseLight light;
-    /* 1 for each pixel that all figures and the mean leave out: those of the sun's own image. */
+    /* 1 for each pixel that all figures and the mean leave out: those of the sun's own image, and those
+     * outside of the area. */
     unsigned char *left_out;
     long counted;
     /* How the picture is shown; NULL if levels are not measured. */
@@ -124,6 +129,9 @@ typedef struct Noise {
 
 /* `tone` is NULL if levels need not be measured. */
 Noise noise_create(int width, int height, const ToneTable *tone);
+
+/* The same for a picture of which only an area is rendered. */
+Noise noise_create_area(int width, int height, Rectangle area, const ToneTable *tone);
 void noise_destroy(Noise *noise);
 
 /* Leaves out the pixels in which `mask` is not 0, from the next measurement on and besides those that are

@@ -10,8 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SUM, REST, SCATTER, SEARCH, CHANCE, SQUARES, REJECTS };
-
 static size_t pixel_count(const Film *film) {
     return (size_t)film->width * (size_t)film->height;
 }
@@ -40,11 +38,11 @@ static bool take_memory(Film *film, Error *error) {
 }
 
 bool film_create(Film *film, const Context *context, int width, int height, unsigned parts, Error *error) {
-    unsigned outputs = 1U << SUM | 1U << REST;
-    if (parts & FILM_SCATTER) outputs |= 1U << SCATTER;
-    if (parts & FILM_SEARCH) outputs |= 1U << SEARCH;
-    if (parts & FILM_CHANCE) outputs |= 1U << CHANCE | 1U << SQUARES;
-    if (parts & FILM_REJECTS) outputs |= 1U << REJECTS;
+    unsigned outputs = 1U << FILM_TEXTURE_SUM | 1U << FILM_TEXTURE_REST;
+    if (parts & FILM_SCATTER) outputs |= 1U << FILM_TEXTURE_SCATTER;
+    if (parts & FILM_SEARCH) outputs |= 1U << FILM_TEXTURE_SEARCH;
+    if (parts & FILM_CHANCE) outputs |= 1U << FILM_TEXTURE_CHANCE | 1U << FILM_TEXTURE_SQUARES;
+    if (parts & FILM_REJECTS) outputs |= 1U << FILM_TEXTURE_REJECTS;
     *film = (Film){.width = width, .height = height, .parts = parts, .light_scale = 1};
     if (!target_create(&film->target, context, width, height, outputs, error)) return false;
     if (!take_memory(film, error)) {
@@ -91,8 +89,8 @@ void film_begin(Film *film, const Program *program) {
 }
 
 void film_give(const Film *film, const Program *program) {
-    program_set_texture(program, "film_sum", film->target.textures[film->target.front][SUM]);
-    program_set_texture(program, "film_rest", film->target.textures[film->target.front][REST]);
+    program_set_texture(program, "film_sum", film->target.textures[film->target.front][FILM_TEXTURE_SUM]);
+    program_set_texture(program, "film_rest", film->target.textures[film->target.front][FILM_TEXTURE_REST]);
 }
 
 void film_keep(Film *film, const Rectangle *regions, int count) {
@@ -124,13 +122,13 @@ double film_rejected_share(const FilmCount *count) {
  * second sum. */
 static void take_light(const Film *film, const Rectangle *r, float *rgba) {
     bool any = film->light && film->light_paths > 0;
-    size_t row = (size_t)r->width * 4;
-    for (int y = 0; y < r->height; y++) {
-        float *to = rgba + (size_t)y * row;
-        const float *from =
-            !any ? NULL : film->light->sum + 4 * ((size_t)(r->y + y) * (size_t)film->width + (size_t)r->x);
-        for (size_t i = 0; i < row; i++)
-            to[i] = any ? to_float((double)from[i] * film->light_scale / film->light_paths) : 0;
+    for (int i = 0; i < r->width * r->height; i++, rgba += 4) {
+        size_t pixel = (size_t)(r->y + i / r->width) * (size_t)film->width + (size_t)(r->x + i % r->width);
+        for (int c = 0; c < 3; c++)
+            rgba[c] = any ? film_light_mean(film->light->sum[4 * pixel + (size_t)c], film->light_scale,
+                                            film->light_paths)
+                          : 0;
+        rgba[3] = 0;
     }
 }
 
@@ -141,7 +139,7 @@ void film_read_light(const Film *film, float *rgba) {
 
 GLuint film_join(const Film *film, const Program *program) {
     const GlApi *gl = film->target.gl;
-    GLuint sum = film->target.textures[film->target.front][SUM];
+    GLuint sum = film->target.textures[film->target.front][FILM_TEXTURE_SUM];
     if (!film->light || !(film->light_paths > 0)) return sum;
     program_use(program);
     program_set_texture(program, "join_sum", sum);
@@ -170,17 +168,15 @@ bool film_read(const Film *film, Image *image, FilmCount *count, Error *error) {
     float *rest = memory_get(pixels * 4, sizeof *rest);
     double accepted = 0, rejected = 0;
     *image = image_create(film->width, film->height);
-    bool ok =
-        target_read(&film->target, SUM, image->rgba, error) && target_read(&film->target, REST, rest, error);
+    bool ok = target_read(&film->target, FILM_TEXTURE_SUM, image->rgba, error) &&
+              target_read(&film->target, FILM_TEXTURE_REST, rest, error);
     for (size_t i = 0; ok && i < pixels; i++) {
         float *pixel = image->rgba + 4 * i;
         double weight = pixel[3];
         accepted += weight;
         rejected += rest[4 * i + 3];
-        for (int c = 0; c < 3; c++) {
-            pixel[c] =
-                weight > 0 ? (float)(((double)pixel[c] + (double)rest[4 * i + (size_t)c]) / weight) : 0.0f;
-        }
+        for (int c = 0; c < 3; c++)
+            pixel[c] = film_mean((double)pixel[c] + (double)rest[4 * i + (size_t)c], weight);
         pixel[3] = weight > 0 ? 1.0f : 0.0f;
     }
     free(rest);
@@ -194,10 +190,14 @@ bool film_read(const Film *film, Image *image, FilmCount *count, Error *error) {
     return ok;
 }
 
+bool film_read_texture(const Film *film, int texture, float *rgba, Error *error) {
+    return target_read(&film->target, texture, rgba, error);
+}
+
 bool film_read_samples(const Film *film, float *samples, Error *error) {
     size_t pixels = pixel_count(film);
     float *sum = memory_get(pixels * 4, sizeof *sum);
-    bool ok = target_read(&film->target, SUM, sum, error);
+    bool ok = target_read(&film->target, FILM_TEXTURE_SUM, sum, error);
     for (size_t i = 0; ok && i < pixels; i++) samples[i] = sum[4 * i + 3];
     free(sum);
     return ok;
@@ -206,7 +206,8 @@ bool film_read_samples(const Film *film, float *samples, Error *error) {
 bool film_read_variance(const Film *film, float *rgb, Error *error) {
     size_t pixels = pixel_count(film);
     float *scatter = memory_get(pixels * 4, sizeof *scatter), *samples = memory_get(pixels, sizeof *samples);
-    bool ok = film_read_samples(film, samples, error) && target_read(&film->target, SCATTER, scatter, error);
+    bool ok = film_read_samples(film, samples, error) &&
+              target_read(&film->target, FILM_TEXTURE_SCATTER, scatter, error);
     for (size_t i = 0; ok && i < 3 * pixels; i++) {
         const float *pixel = scatter + i / 3 * 4;
         float groups = pixel[3];
@@ -224,7 +225,7 @@ bool film_read_search(const Film *film, FilmSearch *search, Error *error) {
     *search = (FilmSearch){0};
     if (!(film->parts & FILM_SEARCH)) return true;
     float *counts = memory_get(pixels * 4, sizeof *counts);
-    bool ok = target_read(&film->target, SEARCH, counts, error);
+    bool ok = target_read(&film->target, FILM_TEXTURE_SEARCH, counts, error);
     for (size_t i = 0; ok && i < 4 * pixels; i++) sums[i % 4] += (double)counts[i];
     free(counts);
     *search = (FilmSearch){sums[0], sums[1], sums[2], sums[3]};
@@ -232,25 +233,26 @@ bool film_read_search(const Film *film, FilmSearch *search, Error *error) {
 }
 
 bool film_read_chance(const Film *film, float *chance, float *squares, Error *error) {
-    return target_read(&film->target, CHANCE, chance, error) &&
-           target_read(&film->target, SQUARES, squares, error);
+    return target_read(&film->target, FILM_TEXTURE_CHANCE, chance, error) &&
+           target_read(&film->target, FILM_TEXTURE_SQUARES, squares, error);
 }
 
 bool film_read_rejects(const Film *film, float *counts, Error *error) {
     memset(counts, 0, 4 * pixel_count(film) * sizeof *counts);
-    return !(film->parts & FILM_REJECTS) || target_read(&film->target, REJECTS, counts, error);
+    return !(film->parts & FILM_REJECTS) || target_read(&film->target, FILM_TEXTURE_REJECTS, counts, error);
 }
 
 void film_read_points(const Film *film, float *counts) {
-    for (size_t i = 0; i < pixel_count(film); i++) counts[i] = film->light ? film->light->sum[4 * i + 3] : 0;
+    for (size_t i = 0; i < pixel_count(film); i++)
+        counts[i] = film->light ? (float)film->light->sum[4 * i + 3] : 0;
 }
 
 bool film_read_pixel(const Film *film, int x, int y, FilmPixel *pixel, Error *error) {
     float sum[4], rest[4], scatter[4], light[4];
     Rectangle place = {x, y, 1, 1};
-    if (!target_read_pixel(&film->target, SUM, x, y, sum, error) ||
-        !target_read_pixel(&film->target, REST, x, y, rest, error) ||
-        !target_read_pixel(&film->target, SCATTER, x, y, scatter, error)) {
+    if (!target_read_pixel(&film->target, FILM_TEXTURE_SUM, x, y, sum, error) ||
+        !target_read_pixel(&film->target, FILM_TEXTURE_REST, x, y, rest, error) ||
+        !target_read_pixel(&film->target, FILM_TEXTURE_SCATTER, x, y, scatter, error)) {
         return false;
     }
     take_light(film, &place, light);
@@ -263,4 +265,12 @@ bool film_read_pixel(const Film *film, int x, int y, FilmPixel *pixel, Error *er
         pixel->variance[c] = isfinite(variance) ? variance : NAN;
     }
     return true;
+}
+
+bool film_archive(Film *film, Archive *archive, Error *error) {
+    ARCHIVE(archive, film->samples);
+    ARCHIVE(archive, film->light_paths);
+    ARCHIVE(archive, film->light_scale);
+    if (film->light) film_light_archive(film->light, archive);
+    return target_archive(&film->target, archive, error);
 }

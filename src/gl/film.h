@@ -31,8 +31,7 @@
  *
  * With FILM_LIGHT there is a second sum, `light`, for light that is traced from the lights to the camera, or
  * that Markov chains bring. Such light falls on any pixel and is added point by point. It belongs to the
- * picture as a whole: the mean of a pixel is sum / samples + scale * light / light paths. The second sum is a
- * plain float sum, which loses less than 1e-4 of itself up to a million points a pixel.
+ * picture as a whole: the mean of a pixel is sum / samples + scale * light / light paths.
  *
  * The fragment shader of a pass includes pass/film.glsl and calls film_add() once a pixel. Before it, it
  * calls film_scatter() of pass/scatter.glsl, film_search() of pass/search.glsl and film_chance() of
@@ -45,6 +44,17 @@
 #include "image/image.h"
 
 #include <stdint.h>
+
+/* The textures of a film, by their names above. */
+enum {
+    FILM_TEXTURE_SUM,
+    FILM_TEXTURE_REST,
+    FILM_TEXTURE_SCATTER,
+    FILM_TEXTURE_SEARCH,
+    FILM_TEXTURE_CHANCE,
+    FILM_TEXTURE_SQUARES,
+    FILM_TEXTURE_REJECTS
+};
 
 enum { FILM_SCATTER = 1, FILM_SEARCH = 2, FILM_LIGHT = 4, FILM_CHANCE = 8, FILM_REJECTS = 16 };
 
@@ -67,6 +77,16 @@ typedef struct Film {
     /* The bytes that were taken beside those of the target (base/budget.h). */
     size_t memory;
 } Film;
+
+/* The mean of samples whose sum is known; 0 of none. */
+static inline float film_mean(double sum, double samples) {
+    return samples > 0 ? (float)(sum / samples) : 0.0f;
+}
+
+/* What light paths add to the mean of a pixel. */
+static inline float film_light_mean(double sum, double scale, double paths) {
+    return (float)(sum * scale / paths);
+}
 
 typedef struct FilmCount {
     /* Numbers of samples, over all pixels. */
@@ -133,6 +153,9 @@ void film_read_light(const Film *film, float *rgba);
  * image. */
 MUST_CHECK bool film_read(const Film *film, Image *image, FilmCount *count, Error *error);
 
+/* Reads one of the textures: 4 floats a pixel. The film must have it. */
+MUST_CHECK bool film_read_texture(const Film *film, int texture, float *rgba, Error *error);
+
 /* Reads the number of accepted samples: one float a pixel. */
 MUST_CHECK bool film_read_samples(const Film *film, float *samples, Error *error);
 
@@ -140,6 +163,9 @@ MUST_CHECK bool film_read_samples(const Film *film, float *samples, Error *error
  * where fewer than two groups were taken, and where it is too large for a float. The film must have
  * FILM_SCATTER. */
 MUST_CHECK bool film_read_variance(const Film *film, float *rgb, Error *error);
+
+/* Saves the film, or loads it into a film of the same size and parts. */
+MUST_CHECK bool film_archive(Film *film, Archive *archive, Error *error);
 
 /* All counts are 0 for a film without FILM_SEARCH. */
 MUST_CHECK bool film_read_search(const Film *film, FilmSearch *search, Error *error);

@@ -3,6 +3,7 @@
  * a graphics processor traces paths so fast that reading their points back costs little beside. */
 #pragma once
 
+#include "base/archive.h"
 #include "gl/gl_api.h"
 
 #include <stdbool.h>
@@ -10,8 +11,10 @@
 
 typedef struct FilmLight {
     int width, height;
-    /* 4 floats a pixel, of which the last is the number of points that were left out. */
-    float *sum;
+    /* 4 numbers a pixel, of which the last is the number of points that were left out. In double the sum of a
+     * million points is exact to float's last digit, and does not depend on how the points were shared out
+     * among parts of a picture (error/merge.h). */
+    double *sum;
     /* The points that were added or left out, and of these those that were not finite, or would have made a
      * sum too large for a float. Points beside the picture do not count. */
     uint64_t points, rejected;
@@ -29,6 +32,9 @@ void film_light_clear(FilmLight *light);
  * Points beside the picture are left out, and so are those that are not finite or too large to be summed,
  * which are counted. */
 void film_light_add(FilmLight *light, const float *points, int count);
+
+/* Saves the sum, or loads it. */
+void film_light_archive(FilmLight *light, Archive *archive);
 
 /* The sum as a texture. */
 GLuint film_light_texture(FilmLight *light, const GlApi *gl);

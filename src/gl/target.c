@@ -1,10 +1,12 @@
 #include "gl/target.h"
 
 #include "base/budget.h"
+#include "base/memory.h"
 #include "gl/texture.h"
 
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 /* Makes all textures of the bound framebuffer the ones that are drawn into. */
 static void draw_to_all(const Target *target) {
@@ -144,4 +146,20 @@ bool target_read(const Target *target, int i, float *rgba, Error *error) {
 bool target_read_pixel(const Target *target, int i, int x, int y, float rgba[4], Error *error) {
     const int pixel[4] = {x, y, 1, 1};
     return read_rectangle(target, i, pixel, rgba, error);
+}
+
+bool target_archive(Target *target, Archive *archive, Error *error) {
+    size_t values = 4 * (size_t)target->width * (size_t)target->height;
+    float *texels = memory_get(values, sizeof *texels);
+    bool ok = true;
+    for (int i = 0; ok && i < TARGET_TEXTURES; i++) {
+        GLuint texture = target->textures[target->front][i];
+        if (!texture) continue;
+        if (!archive_loads(archive)) ok = target_read(target, i, texels, error);
+        archive_bytes(archive, texels, values * sizeof *texels);
+        if (archive_loads(archive))
+            texture_resize(target->gl, texture, target->width, target->height, texels);
+    }
+    free(texels);
+    return ok && gl_check(target->gl, "saving or loading a film", error);
 }

@@ -2,6 +2,7 @@
  * back side; then the two change places. */
 #pragma once
 
+#include "base/archive.h"
 #include "base/rectangle.h"
 #include "gl/program.h"
 
@@ -44,6 +45,9 @@ void target_swap(Target *target);
 
 /* Reads the front side's texture i: 4 floats a texel, row 0 first. */
 MUST_CHECK bool target_read(const Target *target, int i, float *rgba, Error *error);
+
+/* Saves the front side's textures, or loads them. */
+MUST_CHECK bool target_archive(Target *target, Archive *archive, Error *error);
 
 /* Reads one pixel of the front side's texture i. */
 MUST_CHECK bool target_read_pixel(const Target *target, int i, int x, int y, float rgba[4], Error *error);

@@ -28,13 +28,24 @@ static exr_result_t layer_declare(exr_context_t file, int part, const ImageLayer
     return result;
 }
 
+static exr_attr_box2i_t box_of(Rectangle r) {
+    exr_attr_box2i_t box;
+    box.min.x = r.x, box.min.y = r.y;
+    box.max.x = r.x + r.width - 1, box.max.y = r.y + r.height - 1;
+    return box;
+}
+
 static exr_result_t header_write(exr_context_t file, const Image *image, const ImageWriteParams *params) {
     const AttributeList *attributes = params->attributes;
     int part;
+    Rectangle held = image_window(image);
+    exr_attr_box2i_t display = box_of((Rectangle){0, 0, image->width, image->height}), data = box_of(held);
+    exr_attr_v2f_t centre;
+    memset(&centre, 0, sizeof centre);
     exr_result_t result = exr_add_part(file, NULL, EXR_STORAGE_SCANLINE, &part);
     if (!result) {
-        result =
-            exr_initialize_required_attr_simple(file, part, image->width, image->height, EXR_COMPRESSION_ZIP);
+        result = exr_initialize_required_attr(file, part, &display, &data, 1, &centre, 1,
+                                              EXR_LINEORDER_INCREASING_Y, EXR_COMPRESSION_ZIP);
     }
     for (int i = 0; !result && i < layer_count(image); i++) {
         ImageLayer layer = layer_get(image, i);
@@ -51,8 +62,9 @@ static exr_result_t header_write(exr_context_t file, const Image *image, const I
     return result ? result : exr_write_header(file);
 }
 
-/* Points the channel at its numbers in row y of the layer, if it is one of the layer's. */
-static void channel_point(exr_coding_channel_info_t *channel, const ImageLayer *layer, int width, int y) {
+/* Points the channel at its numbers of the layer from column x of row y on, if it is one of the layer's. */
+static void channel_point(exr_coding_channel_info_t *channel, const ImageLayer *layer, int width, int x,
+                          int y) {
     size_t channels = strlen(layer->channels);
     for (size_t c = 0; c < channels; c++) {
         char name[64];
@@ -60,7 +72,8 @@ static void channel_point(exr_coding_channel_info_t *channel, const ImageLayer *
         if (strcmp(name, channel->channel_name) != 0) continue;
         channel->user_pixel_stride = (int32_t)(channels * sizeof(float));
         channel->user_line_stride = width * channel->user_pixel_stride;
-        channel->encode_from_ptr = (const uint8_t *)(layer->data + channels * (size_t)y * (size_t)width + c);
+        channel->encode_from_ptr =
+            (const uint8_t *)(layer->data + channels * ((size_t)y * (size_t)width + (size_t)x) + c);
     }
 }
 
@@ -74,7 +87,7 @@ static exr_result_t chunk_write(exr_context_t file, const Image *image, int y) {
         for (int i = 0; i < layer_count(image); i++) {
             ImageLayer layer = layer_get(image, i);
             for (int c = 0; c < pipeline.channel_count; c++)
-                channel_point(&pipeline.channels[c], &layer, image->width, y);
+                channel_point(&pipeline.channels[c], &layer, image->width, image_window(image).x, y);
         }
         result = exr_encoding_choose_default_routines(file, 0, &pipeline);
     }
@@ -91,7 +104,9 @@ bool exr_encode(const Image *image, const ImageWriteParams *params, Text *out, E
     if (!result) result = header_write(file, image, params);
     int32_t lines = 0;
     if (!result) result = exr_get_scanlines_per_chunk(file, 0, &lines);
-    for (int y = 0; !result && y < image->height; y += lines) result = chunk_write(file, image, y);
+    Rectangle held = image_window(image);
+    for (int y = held.y; !result && y < held.y + held.height; y += lines)
+        result = chunk_write(file, image, y);
     /* Writes the table of chunks, so it can fail as well. */
     exr_result_t finished = file ? exr_finish(&file) : result;
     if (!result) result = finished;

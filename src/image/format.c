@@ -83,8 +83,13 @@ bool image_write(const Image *image, const char *path, const ImageWriteParams *p
     Text file = {0};
     bool encoded = true;
     if (format == FORMAT_EXR) encoded = exr_encode(image, params, &file, error);
-    if (format == FORMAT_PNG) encoded = png_encode(image, params, &file, error);
-    if (format == FORMAT_PFM) pfm_encode(image, &file);
+    /* Only EXR knows of pictures that are a part of another. */
+    bool crops = format != FORMAT_EXR && image->data.width > 0;
+    Image cropped = crops ? image_crop(image, image->data) : (Image){0};
+    const Image *whole = crops ? &cropped : image;
+    if (format == FORMAT_PNG) encoded = png_encode(whole, params, &file, error);
+    if (format == FORMAT_PFM) pfm_encode(whole, &file);
+    image_free(&cropped);
     bool written =
         encoded ? file_replace(path, file.data, file.size, error) : error_prefix(error, "%s: ", path);
     text_free(&file);
@@ -145,4 +150,18 @@ bool image_read_as(Image *image, const char *path, const ImageReadParams *params
 
 bool image_attribute(const Text *file, const char *name, Text *value) {
     return exr_attribute(file, name, value) || png_attribute(file, name, value);
+}
+
+bool image_is_one(const Text *start) {
+    return is_picture(start);
+}
+
+bool image_describe(const char *path, const Text *file, Text *lines, Error *error) {
+    Image image;
+    if (exr_describe(file, lines) || png_describe(file, lines)) return true;
+    if (!is_pfm(file)) return error_set(error, STATUS_FAILURE, "%s: broken picture", path);
+    if (!pfm_decode(&image, path, file, error)) return false;
+    text_print(lines, "PFM of %dx%d\n", image.width, image.height);
+    image_free(&image);
+    return true;
 }

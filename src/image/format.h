@@ -31,6 +31,13 @@ MUST_CHECK bool image_read_as(Image *image, const char *path, const ImageReadPar
 /* The same with default params. */
 MUST_CHECK bool image_read(Image *image, const char *path, Error *error);
 
+/* Appends lines about a picture: its format and size, its channels, and its metadata as "name: value". Fails
+ * with STATUS_FAILURE where the bytes are no picture that can be read. */
+MUST_CHECK bool image_describe(const char *path, const Text *file, Text *lines, Error *error);
+
+/* Whether a file that begins with these bytes is a picture: EXR, PNG or PFM. */
+bool image_is_one(const Text *start);
+
 /* Appends the metadata of that name, out of a file's bytes; false where there is no such line. PFM has none.
  */
 bool image_attribute(const Text *file, const char *name, Text *value);

@@ -31,3 +31,19 @@ void image_free(Image *image) {
     free(image->rgba);
     *image = (Image){0};
 }
+
+Rectangle image_window(const Image *image) {
+    Rectangle all = {0, 0, image->width, image->height};
+    return image->data.width > 0 && image->data.height > 0 ? image->data : all;
+}
+
+Image image_crop(const Image *image, Rectangle window) {
+    Image cropped = image_create(window.width, window.height);
+    cropped.shown = image->shown;
+    for (int y = 0; y < window.height; y++) {
+        size_t from = (size_t)(window.y + y) * (size_t)image->width + (size_t)window.x;
+        memcpy(cropped.rgba + 4 * (size_t)y * (size_t)window.width, image->rgba + 4 * from,
+               4 * sizeof *image->rgba * (size_t)window.width);
+    }
+    return cropped;
+}

@@ -23,8 +23,8 @@ typedef struct Image {
     /* Owned; none in a picture that was read. */
     ImageLayer *layers;
     int layer_count;
-    /* The pixels that the file held, if it held a part of the picture; the others are 0. Empty if it held
-     * all. */
+    /* The pixels that the file held or is to hold, if that is a part of the picture; the others are 0. Empty
+     * if it is all. */
     Rectangle data;
     /* The pixels are light as it is shown, from 0 to 1, and not radiance. */
     bool shown;
@@ -39,3 +39,9 @@ void image_free(Image *image);
 
 /* Adds a layer and gives its zeroed data, to be filled. The strings stay the caller's. */
 float *image_add_layer(Image *image, const char *name, const char *channels);
+
+/* The pixels that are held: `data`, or all. */
+Rectangle image_window(const Image *image);
+
+/* A picture of these pixels alone, without layers. */
+Image image_crop(const Image *image, Rectangle window);

@@ -129,30 +129,64 @@ bool png_decode(Image *image, const char *path, const Text *file, const ImageRea
     return read;
 }
 
-static bool text_find(png_structp png, png_infop info, const char *name, Text *value) {
-    png_textp texts;
-    int count = 0;
-    if (!header_read(png, info)) return false;
-    png_get_text(png, info, &texts, &count);
-    for (int i = 0; i < count; i++) {
-        if (strcmp(texts[i].key, name) != 0) continue;
-        text_append(value, texts[i].text, strlen(texts[i].text));
-        return true;
-    }
-    return false;
-}
+/* What to do with a file's metadata. */
+typedef void TakeTexts(png_structp png, png_infop info, void *data);
 
-bool png_attribute(const Text *file, const char *name, Text *value) {
+/* Reads the header and the metadata in front of the pixels. */
+static bool texts_read(const Text *file, TakeTexts *take, void *data) {
     Error ignored;
     if (!file->size) return false;
     PngSource source = {.file = file, .path = "PNG", .error = &ignored};
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, png_fail, png_ignore);
     png_infop info = png ? png_create_info_struct(png) : NULL;
-    bool found = false;
+    bool read = false;
     if (info) {
         png_set_read_fn(png, &source, bytes_take);
-        found = text_find(png, info, name, value);
+        read = header_read(png, info);
+        if (read) take(png, info, data);
     }
     png_destroy_read_struct(&png, &info, NULL);
-    return found;
+    return read;
+}
+
+typedef struct Search {
+    const char *name;
+    Text *value;
+    bool found;
+} Search;
+
+static void text_find(png_structp png, png_infop info, void *data) {
+    Search *search = data;
+    png_textp texts;
+    int count = 0;
+    png_get_text(png, info, &texts, &count);
+    for (int i = 0; i < count && !search->found; i++) {
+        if (strcmp(texts[i].key, search->name) != 0) continue;
+        text_append(search->value, texts[i].text, strlen(texts[i].text));
+        search->found = true;
+    }
+}
+
+bool png_attribute(const Text *file, const char *name, Text *value) {
+    Search search = {.name = name, .value = value};
+    return texts_read(file, text_find, &search) && search.found;
+}
+
+static void texts_list(png_structp png, png_infop info, void *data) {
+    Text *lines = data;
+    png_textp texts;
+    int count = 0;
+    png_get_text(png, info, &texts, &count);
+    text_print(lines, "PNG of %ux%u, %d bits\n", png_get_image_width(png, info),
+               png_get_image_height(png, info), png_get_bit_depth(png, info));
+    for (int i = 0; i < count; i++) {
+        char *line = texts[i].text;
+        for (char *c = line; *c; c++)
+            if ((unsigned char)*c < 32 || *c == 127) *c = ' ';
+        text_print(lines, "%s: %s\n", texts[i].key, line);
+    }
+}
+
+bool png_describe(const Text *file, Text *lines) {
+    return texts_read(file, texts_list, lines);
 }

@@ -74,7 +74,7 @@ static bool tell(const Aov *aov, const RenderParams *params, const Renderer *ren
 bool aov_create(Aov *aov, unsigned kinds, const Context *context, const RenderParams *params,
                 const Renderer *renderer, Error *error) {
     const Camera *camera = &renderer->camera;
-    *aov = (Aov){.kinds = kinds};
+    *aov = (Aov){.kinds = kinds, .first = (unsigned)renderer->first_sample, .area = renderer->area};
     if (!(kinds & first_hit)) return true;
     if (!create_program(&aov->program, context, params, renderer, error) ||
         !target_create(&aov->target, context, camera->width, camera->height, outputs, error)) {
@@ -91,6 +91,7 @@ bool aov_restart(Aov *aov, const Context *context, const RenderParams *params, c
     const Camera *camera = &renderer->camera;
     Target *target = &aov->target;
     aov->samples = 0;
+    aov->area = renderer->area;
     aov->pace.width = 0;
     if (camera->width == target->width && camera->height == target->height) {
         target_clear(target);
@@ -110,19 +111,18 @@ void aov_destroy(Aov *aov) {
 static void begin_group(const Aov *aov, unsigned group) {
     static const char *const names[] = {"aov_albedo", "aov_normal", "aov_mist"};
     program_use(&aov->program);
-    program_set_uint(&aov->program, "first_sample", aov->samples);
+    program_set_uint(&aov->program, "first_sample", aov->first + aov->samples);
     program_set_uint(&aov->program, "group_samples", group);
     target_begin(&aov->target, &aov->program, names);
 }
 
 /* Returns false if it was stopped; then the layers are unchanged. */
 static bool add_group(Aov *aov, unsigned group, bool (*stop)(void)) {
-    const Target *target = &aov->target;
     begin_group(aov, group);
-    Rectangle all = {0, 0, target->width, target->height};
+    Rectangle all = {0, 0, aov->target.width, aov->target.height};
     Strips strips = {.program = &aov->program,
                      .picture = all,
-                     .regions = &all,
+                     .regions = &aov->area,
                      .count = 1,
                      .samples = group,
                      .stop = stop};
@@ -141,8 +141,19 @@ bool aov_pass(Aov *aov, const Renderer *renderer, uint64_t samples, bool (*stop)
         stopped =
             !add_group(aov, left < renderer->plan.group_samples ? left : renderer->plan.group_samples, stop);
     }
-    if (wanted && !aov->samples) add_group(aov, 1, NULL);
     return gl_check(aov->program.gl, "drawing --aov", error);
+}
+
+bool aov_complete(Aov *aov, Error *error) {
+    if (!aov->program.id || aov->samples) return true;
+    add_group(aov, 1, NULL);
+    return gl_check(aov->program.gl, "drawing --aov", error);
+}
+
+bool aov_archive(Aov *aov, Archive *archive, Error *error) {
+    if (!aov->program.id) return true;
+    ARCHIVE(archive, aov->samples);
+    return target_archive(&aov->target, archive, error);
 }
 
 bool aov_read_pixel(const Aov *aov, unsigned samples, int x, int y, AovPixel *pixel, Error *error) {

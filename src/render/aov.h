@@ -34,8 +34,10 @@ typedef struct Aov {
     /* Empty if none of albedo, normal, depth and transmittance is wanted. */
     Program program;
     Target target;
-    /* Samples taken of each pixel. */
-    unsigned samples;
+    /* The number of the picture's first sample, and the samples taken of each pixel. */
+    unsigned first, samples;
+    /* The part of the picture that is drawn. */
+    Rectangle area;
     Pace pace;
 } Aov;
 
@@ -50,10 +52,15 @@ MUST_CHECK bool aov_create(Aov *aov, unsigned kinds, const Context *context, con
 void aov_destroy(Aov *aov);
 
 /* Takes samples until there are as many as the picture has, which is `samples` in the mean of its pixels. If
- * `stop` (may be NULL) returns true, it ends with the samples that it has, but takes at least one of each
- * pixel. */
+ * `stop` (may be NULL) returns true, it ends with the samples that it has. */
 MUST_CHECK bool aov_pass(Aov *aov, const Renderer *renderer, uint64_t samples, bool (*stop)(void),
                          Error *error);
+
+/* Takes a first sample of each pixel if none is taken yet. Call it before the layers are read. */
+MUST_CHECK bool aov_complete(Aov *aov, Error *error);
+
+/* Saves the layers so far, or loads them. */
+MUST_CHECK bool aov_archive(Aov *aov, Archive *archive, Error *error);
 
 /* Removes the layers and starts anew for another size, camera or parameters of the same scene. */
 MUST_CHECK bool aov_restart(Aov *aov, const Context *context, const RenderParams *params,

@@ -39,6 +39,7 @@ bool chain_pass_create(ChainPass *pass, const Context *context, const Plan *plan
     pass->gl = gl;
     pass->steps_per_second = FIRST_GUESS;
     pass->points = memory_get((size_t)COLUMNS * MOST_ROWS * 4, sizeof *pass->points);
+    pass->source_texels = memory_get((size_t)COLUMNS * MOST_ROWS * 4, sizeof *pass->source_texels);
     pass->sources = texture_create(gl, COLUMNS, MOST_ROWS, GL_NEAREST, NULL);
     return target_create(&pass->chains, context, COLUMNS, MOST_ROWS, (1U << OUTPUTS) - 1, error) &&
            target_create(&pass->numbers, context, COLUMNS, MOST_ROWS * NUMBER_ROWS, 1, error) &&
@@ -52,6 +53,7 @@ void chain_pass_destroy(ChainPass *pass) {
     program_destroy(&pass->keep);
     pass->gl->DeleteTextures(1, &pass->sources);
     free(pass->points);
+    free(pass->source_texels);
     target_destroy(&pass->chains);
     target_destroy(&pass->numbers);
     *pass = (ChainPass){0};
@@ -104,8 +106,7 @@ static void read(const ChainPass *pass, int output, float *texels) {
  * life of the chains: a Weyl sequence over the lives, begun by a hash of the seed. */
 static void share_starts(ChainPass *pass) {
     int count = COLUMNS * pass->rows, *sources = memory_get((size_t)count, sizeof *sources);
-    float *texels = memory_get((size_t)COLUMNS * MOST_ROWS * 4, sizeof *texels),
-          *weights = memory_get((size_t)count, sizeof *weights);
+    float *texels = pass->source_texels, *weights = memory_get((size_t)count, sizeof *weights);
     uint32_t life = (uint32_t)(pass->next / STEPS_A_LIFE), bits = (pass->seed + 1) * 747796405U;
     bits = (bits ^ bits >> 16) * 2891336453U + life * 2654435769U;
     read(pass, LIGHT, texels);
@@ -117,8 +118,18 @@ static void share_starts(ChainPass *pass) {
     }
     texture_resize(pass->gl, pass->sources, COLUMNS, MOST_ROWS, texels);
     free(sources);
-    free(texels);
     free(weights);
+}
+
+bool chain_pass_archive(ChainPass *pass, Archive *archive, Error *error) {
+    if (!pass->gl) return true;
+    size_t size = (size_t)COLUMNS * MOST_ROWS * 4 * sizeof *pass->source_texels;
+    ARCHIVE(archive, pass->mean);
+    ARCHIVE(archive, pass->next);
+    archive_bytes(archive, pass->source_texels, size);
+    if (archive_loads(archive))
+        texture_resize(pass->gl, pass->sources, COLUMNS, MOST_ROWS, pass->source_texels);
+    return target_archive(&pass->chains, archive, error) && target_archive(&pass->numbers, archive, error);
 }
 
 /* Adds the points of one kind to the film. */

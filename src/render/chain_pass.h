@@ -20,8 +20,10 @@ typedef struct ChainPass {
     Target chains, numbers;
     /* The points of all chains in a step, as they are read back. */
     float *points;
-    /* The chain from which each chain takes its start, and what all chains then weigh. */
+    /* The chain from which each chain takes its start, as a texture and as its texels, and what all chains
+     * then weigh. */
     GLuint sources;
+    float *source_texels;
     double mean;
     unsigned seed;
     /* Rows of chains that this picture has. */
@@ -31,6 +33,9 @@ typedef struct ChainPass {
     /* Measured; it sets how many steps are drawn where time is short. */
     double steps_per_second;
 } ChainPass;
+
+/* Saves the chains, or loads them. */
+MUST_CHECK bool chain_pass_archive(ChainPass *pass, Archive *archive, Error *error);
 
 /* Creates the pass if the plan's sequence walks chains; else `pass` is an empty struct. Errors in GLSL are
  * STATUS_SCENE. */

@@ -142,15 +142,24 @@ Frame frame_of(const Plan *plan, const RenderParams *params, const Camera *camer
                    .sun_disk = &plan->sun,
                    .scene = scene,
                    .camera = *camera,
+                   .first_sample = params->first_sample,
                    .coarse = params->use == PICTURE_PREVIEW,
                    .in_steps = params->use == PICTURE_AT_REST};
 }
 
+/* Samples have numbers of 32 bits. Each lap of so many samples has a seed of its own. */
+static unsigned lap_seed(unsigned seed, uint64_t first_sample) {
+    return seed ^ (unsigned)(first_sample >> 32) * 0x9e3779b9U;
+}
+
 void frame_uniforms(const Frame *frame, const Plan *plan, unsigned seed, Uniforms *uniforms) {
+    seed = lap_seed(seed, frame->first_sample);
     sky_uniforms(frame, uniforms);
     camera_uniforms(&frame->camera, uniforms);
     inputs_uniforms(frame, uniforms);
     if (plan->air) scene_air_uniforms(&frame->state.atmosphere, uniforms);
+    uniforms_declared_in(uniforms, "pass/film_samples.glsl");
+    uniforms_uint(uniforms, "film_first", (unsigned)frame->first_sample);
     uniforms_declared_in(uniforms, "pass/trace.glsl");
     uniforms_uint(uniforms, "seed", seed);
     uniforms_int(uniforms, "max_hits", plan->max_hits);

@@ -160,6 +160,11 @@ static void improve(PhotonPass *pass) {
     upload(pass);
 }
 
+/* So many light paths in whole rows, as a picture has that took them bit by bit. */
+static uint64_t whole_rows(double paths) {
+    return (uint64_t)ceil(ceil(paths) / BATCH_COLUMNS) * BATCH_COLUMNS;
+}
+
 bool photon_pass_aim(PhotonPass *pass, const Frame *frame, bool traces, Error *error) {
     if (!pass->gl) return true;
     double pixels = (double)frame->camera.width * frame->camera.height;
@@ -169,12 +174,15 @@ bool photon_pass_aim(PhotonPass *pass, const Frame *frame, bool traces, Error *e
     upload(pass);
     if (pass->aim.any) improve(pass);
     if (!pass->aim.any) pass->paths_a_sample = 0;
+    pass->first = whole_rows(pass->paths_a_sample * (double)frame->first_sample);
+    pass->before = frame->first_sample;
     use(pass, 0);
     return program_check(&pass->photons, error) && gl_check(pass->gl, "aiming light paths", error);
 }
 
 uint64_t photon_pass_due(const PhotonPass *pass, const Film *film, double samples) {
-    double due = pass->paths_a_sample * samples - film->light_paths;
+    double due =
+        pass->paths_a_sample * ((double)pass->before + samples) - (double)pass->first - film->light_paths;
     return due > 0 ? (uint64_t)ceil(due) : 0;
 }
 
@@ -188,7 +196,7 @@ static uint64_t rows_for(const PhotonPass *pass, uint64_t paths, double seconds)
 
 uint64_t photon_pass_draw(PhotonPass *pass, Film *film, uint64_t paths, double seconds) {
     uint64_t rows = rows_for(pass, paths, seconds);
-    trace(pass, (uint64_t)film->light_paths, (int)rows);
+    trace(pass, pass->first + (uint64_t)film->light_paths, (int)rows);
     float *points = memory_get((size_t)rows * BATCH_COLUMNS * 4, sizeof *points);
     read(pass, POINT, BATCH_COLUMNS, (int)rows, points);
     film_add_light(film, points, (int)rows * BATCH_COLUMNS, (double)rows * BATCH_COLUMNS);

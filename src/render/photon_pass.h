@@ -17,6 +17,10 @@ typedef struct PhotonPass {
     Aim aim;
     /* Light paths for each sample of all pixels together; 0 if none are traced. */
     double paths_a_sample;
+    /* The number of the first light path: that of the picture's first sample. */
+    uint64_t first;
+    /* The number of that sample. */
+    uint64_t before;
     /* Measured; it sets the size of batches where time is short, and of draws. */
     double paths_per_second;
     bool measured;

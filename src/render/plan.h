@@ -2,6 +2,7 @@
  * samples a draw may take. */
 #pragma once
 
+#include "base/rectangle.h"
 #include "choice/method.h"
 #include "gl/context.h"
 #include "scene/scene.h"
@@ -29,6 +30,10 @@ typedef struct RenderParams {
     /* In pixels; 0 for the scene's. */
     int width, height;
     unsigned seed;
+    /* The number of the picture's first sample, where others have those before it. */
+    uint64_t first_sample;
+    /* The part of the picture that is rendered; all of it if this is empty. */
+    Rectangle crop;
     /* 0 for no limit. */
     int max_hits;
     /* The number of samples that each pixel will get, for auto's choice; 0 if the error decides. */

@@ -127,6 +127,9 @@ static void follow(Renderer *renderer, const Frame *frame) {
             bias_further_percent(&renderer->plan.further, sun_deg, &values->atmosphere);
     renderer->sun_by_chance = sun->has_disk && !sun->samples_disk;
     renderer->camera = frame->camera;
+    renderer->first_sample = frame->first_sample;
+    Rectangle all = {0, 0, frame->camera.width, frame->camera.height};
+    renderer->area = renderer->crop.width ? renderer->crop : all;
 }
 
 /* Where the picture of this frame may hold the sun's image. */
@@ -164,8 +167,11 @@ static bool create_parts(Renderer *renderer, const Context *context, const Rende
 }
 
 bool renderer_create(Renderer *renderer, const Context *context, const RenderParams *params, Error *error) {
-    *renderer = (Renderer){
-        .gl = &context->gl, .seed = params->seed, .variance = params->variance, .rejects = params->rejects};
+    *renderer = (Renderer){.gl = &context->gl,
+                           .seed = params->seed,
+                           .crop = params->crop,
+                           .variance = params->variance,
+                           .rejects = params->rejects};
     if (!scene_check_size(plan_width(params), plan_height(params), error) ||
         !scene_check(params->scene, error) || !plan_make(&renderer->plan, params, context, error)) {
         goto fail;

@@ -18,6 +18,13 @@ typedef struct Renderer {
     Plan plan;
     bool variance, rejects;
     unsigned seed;
+    uint64_t first_sample;
+    /* What was asked for; empty for the whole picture. */
+    Rectangle crop;
+    /* The part of the picture that is drawn. */
+    Rectangle area;
+    /* Whether the picture is a first group that was stopped, so that its last rows are missing. */
+    bool partial;
     /* The claimed relRMSE of the sky (choice/bias.h), percent; NAN if it is not known. */
     double sky_bias_percent;
     /* Whether all light of the sun's disk is found only by luck, as rare bright samples. For `sampled`, which
@@ -91,6 +98,15 @@ MUST_CHECK bool renderer_refine(Renderer *renderer, const Rectangle *regions, in
 /* Traces so many light paths more, in whole rows, or fewer when `stop` (may be NULL) returns true.
  * film.light_paths counts them. The other passes trace those that belong to their samples by themselves. */
 MUST_CHECK bool renderer_light(Renderer *renderer, uint64_t paths, bool (*stop)(void), Error *error);
+
+/* Whether light paths are missing that belong to the film's samples, because renderer_pass() was stopped. */
+bool renderer_is_behind(const Renderer *renderer);
+
+/* Traces these, until `stop` (may be NULL) returns true. */
+MUST_CHECK bool renderer_catch_up(Renderer *renderer, bool (*stop)(void), Error *error);
+
+/* Saves the picture so far, or loads it into a renderer that was just made with the same parameters. */
+MUST_CHECK bool renderer_archive(Renderer *renderer, Archive *archive, Error *error);
 
 /* Draws for about `seconds` (at least two rows), or until `stop` (may be NULL) returns true. It continues the
  * unfinished group, or starts one of at most `samples`, and commits it after its last row. Other programs and

@@ -10,7 +10,9 @@ void renderer_begin_group(Renderer *renderer, unsigned group) {
     program_use(program);
     program_set_uint(program, "group_samples", group);
     if (program_declares(program, "iFrame"))
-        program_set_int(program, "iFrame", (int)(renderer->film.samples / renderer->plan.group_samples));
+        program_set_int(
+            program, "iFrame",
+            (int)((renderer->first_sample + renderer->film.samples) / renderer->plan.group_samples));
     if (renderer->image.gl) program_set_texture(program, "sun_image_sums", renderer->image.texture);
     film_begin(&renderer->film, program);
 }
@@ -48,21 +50,34 @@ static bool trace_light(Renderer *renderer, uint64_t paths, double seconds, bool
     return !paths;
 }
 
+/* The light paths that are missing if each pixel has so many samples. */
+static uint64_t light_due(const Renderer *renderer, double samples) {
+    return renderer->chains.gl ? chain_pass_due(&renderer->chains, &renderer->film, samples)
+                               : photon_pass_due(&renderer->light, &renderer->film, samples);
+}
+
 /* Splats the light that belongs to so many samples of each pixel. */
 static bool catch_up(Renderer *renderer, double samples, double seconds, bool (*stop)(void)) {
-    uint64_t due = renderer->chains.gl ? chain_pass_due(&renderer->chains, &renderer->film, samples)
-                                       : photon_pass_due(&renderer->light, &renderer->film, samples);
-    return trace_light(renderer, due, seconds, stop);
+    return trace_light(renderer, light_due(renderer, samples), seconds, stop);
+}
+
+bool renderer_is_behind(const Renderer *renderer) {
+    return light_due(renderer, (double)renderer->film.samples) > 0;
+}
+
+bool renderer_catch_up(Renderer *renderer, bool (*stop)(void), Error *error) {
+    catch_up(renderer, (double)renderer->film.samples, INFINITY, stop);
+    return gl_check(renderer->gl, "tracing light paths", error);
 }
 
 bool renderer_pass(Renderer *renderer, uint64_t samples, bool (*stop)(void), Error *error) {
     Film *film = &renderer->film;
-    Rectangle all = {0, 0, film->width, film->height};
     unsigned group =
         samples < renderer->plan.group_samples ? (unsigned)samples : renderer->plan.group_samples;
     /* Of a first group that is stopped the finished rows are kept, and the others must be empty. */
     if (!film->samples && stop) film_clear_next(film);
-    bool stopped = !draw_group(renderer, &all, 1, group, stop);
+    bool stopped = !draw_group(renderer, &renderer->area, 1, group, stop);
+    renderer->partial = stopped && film->samples == 0;
     if (!stopped || film->samples == 0) film_commit(film, group);
     /* Without any light path, the share of the light that they count would be missing. */
     if (!stopped || !(film->light_paths > 0)) catch_up(renderer, (double)film->samples, INFINITY, stop);
@@ -104,4 +119,9 @@ bool renderer_advance(Renderer *renderer, uint64_t samples, double seconds, bool
         renderer->row = 0;
     }
     return gl_check(renderer->gl, "drawing a pass", error);
+}
+
+bool renderer_archive(Renderer *renderer, Archive *archive, Error *error) {
+    return film_archive(&renderer->film, archive, error) &&
+           chain_pass_archive(&renderer->chains, archive, error);
 }

@@ -7,6 +7,8 @@
 #include "gl/camera.h"
 #include "scene/scene.h"
 
+#include <stdint.h>
+
 /* The sun's position and the air that it shines through. */
 typedef struct SkyState {
     Atmosphere atmosphere;
@@ -25,6 +27,8 @@ typedef struct Frame {
      * annotated, or if the picture does not need them. */
     const double (*mirrors)[4];
     Camera camera;
+    /* The number of the picture's first sample. */
+    uint64_t first_sample;
     /* Whether the tables that follow the sun may be coarse, for a preview. */
     bool coarse;
     /* Whether they are filled in steps. */
