@@ -242,6 +242,35 @@ static void test_long_texts(void **state) {
     text_free(&text);
 }
 
+/* What a driver refuses is explained at once, however many words stand on the line. */
+static void test_refused_line(void **state) {
+    (void)state;
+    const char *path = fill("home/words.glsl", SCENE, "a ", 300000);
+    int status =
+        support_run("ulimit -t 10;", "render '%s' --size 16x16 --spp 1 -o '%s'", path, support_path("a.exr"));
+    if (status == 4) support_no_gl(support_err);
+    if (status != 3 || !strstr(support_err, "words.glsl:3: ")) fail_msg("status %d: %s", status, support_err);
+}
+
+/* A link that changes its target all the time: what is read was checked. */
+static void test_race(void **state) {
+    (void)state;
+    support_write("home/mine", "float mine() { return 1.0; }\n");
+    const char *path = scene("#include \"swap.glsl\"");
+    int status = fault_shell("cd $D/home; ln -s mine swap.glsl; ( while :; do ln -s ../other/secret n; mv -T "
+                             "n swap.glsl; ln -s mine n; "
+                             "mv -T n swap.glsl; done ) & p=$!; trap 'kill $p' EXIT; cd - >/dev/null; "
+                             "read=0; refused=0; for i in $(seq "
+                             "300); do if $M flatten '%s' >$D/out 2>$D/race; then read=$((read + 1)); else "
+                             "refused=$((refused + 1)); fi; "
+                             "if grep -q SECRET $D/out $D/race; then echo 'it was read' >&2; exit 1; fi; "
+                             "done; echo $read read, $refused "
+                             "refused >&2",
+                             path);
+    print_message("%s", support_err);
+    assert_int_equal(status, 0);
+}
+
 /* A file's own #line names no file of this program's. */
 static void test_own_lines(void **state) {
     (void)state;
@@ -270,9 +299,10 @@ static void test_names(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places),     cmocka_unit_test(test_allowed),   cmocka_unit_test(test_kinds),
-        cmocka_unit_test(test_sizes),      cmocka_unit_test(test_tables),    cmocka_unit_test(test_bomb),
-        cmocka_unit_test(test_long_texts), cmocka_unit_test(test_own_lines), cmocka_unit_test(test_names),
+        cmocka_unit_test(test_places),     cmocka_unit_test(test_allowed),      cmocka_unit_test(test_kinds),
+        cmocka_unit_test(test_sizes),      cmocka_unit_test(test_tables),       cmocka_unit_test(test_bomb),
+        cmocka_unit_test(test_long_texts), cmocka_unit_test(test_refused_line), cmocka_unit_test(test_race),
+        cmocka_unit_test(test_own_lines),  cmocka_unit_test(test_names),
     };
     return cmocka_run_group_tests_name("foreign", tests, make_folders, support_clean);
 }

@@ -1,5 +1,6 @@
 #include "image/exr_attribute.h"
 
+#include "image/exr_bounds.h"
 #include "image/exr_stream.h"
 
 #include <string.h>
@@ -7,6 +8,8 @@
 bool exr_attribute(const Text *bytes, const char *name, Text *value) {
     exr_context_t file = NULL;
     ExrStream stream = {.in = bytes};
+    Error ignored;
+    if (!exr_bounds_count(bytes, "EXR", &ignored)) return false;
     exr_context_initializer_t settings = exr_settings(&stream);
     const exr_attribute_t *attribute = NULL;
     if (exr_start_read(&file, "EXR", &settings) != EXR_ERR_SUCCESS) return false;
