@@ -38,6 +38,7 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             vec3 before = path.throughput;
             path.throughput *= path.weight;
             Bounce bounce = path_bounce(memory, path, hit, material, u, v);
+            if (mist_knows_sky() && stretch.in_mist) path.gathered += path.throughput * stretch_sky(stretch, material, incoming, bounce);
             path.gathered += before * stretch_surface_sun(stretch, path, material, max_hits - path.hits - 1, sequence);
             path.sun = sun_after_bounce(path.sun, hit, material, incoming, bounce);
             // The sunlight that air scatters is gathered with any of the sun's methods.

@@ -56,6 +56,22 @@ vec3 stretch_sun(Stretch stretch, Path path, int mirrors, INOUT(Sequence) sequen
     return scattered;
 }
 
+// A control variate of mean 0 for a bounce in the mist: the light of the open sky is known there, and the bounce takes off what it brings of it. So a bounce that leaves
+// the scene brings the known light in place of what the sky happens to be in its direction.
+//
+// It is weighed by how much of the sky is likely to arrive. That must not depend on the bounce, and a wrong weight costs noise alone. If no surface stands on the
+// path's own ray, most of what is turned forward arrives but for the mist behind. If one does, the sky is counted on only where it is said to be open.
+vec3 stretch_sky(Stretch stretch, Material material, vec3 incoming, Bounce bounce) {
+    bool open = stretch.surface.t >= INFINITY;
+    vec3 taken = vec3(0.0);
+    if (open || mist_in_open()) {
+        vec3 toward = open ? incoming : vec3(0.0, 1.0, 0.0);
+        vec3 arriving = light_through(Ray(stretch.hit.position, toward), INFINITY);
+        taken = mist_sky_share() * arriving * (material.color * mist_sky(incoming) - bounce.weight * sky_radiance(bounce.direction));
+    }
+    return taken;
+}
+
 // The sunlight that the surface reflects and the mist lets through. `material` is that of the path's hit.
 vec3 stretch_surface_sun(Stretch stretch, Path path, Material material, int mirrors, INOUT(Sequence) sequence) {
     vec3 reflected = vec3(0.0);

@@ -63,6 +63,14 @@ float mist_excess(Ray ray, float distance, float u);
 // What a path meets there.
 Material mist_material(vec3 position);
 
+// Whether the light of the open sky that mist scatters toward the origin of a ray is known, which is a constant; and that light, over the albedo.
+bool mist_knows_sky();
+// Whether the light method counts on an open sky.
+bool mist_in_open();
+// The share of this light that may be counted on, from 0 to 1: the narrower the phase function, the coarser is what is known of it.
+float mist_sky_share();
+vec3 mist_sky(vec3 incoming);
+
 // Whether the mist is the atmosphere's air, which is a constant; and if it is, the sunlight that a metre of it scatters toward the origin of a ray of this direction,
 // if nothing stands before the sun; and the direction to the sun.
 bool mist_is_air();

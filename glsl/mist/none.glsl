@@ -1,5 +1,6 @@
 // For a scene without mist.
 #include "mist/air_none.glsl"
+#include "mist/sky_none.glsl"
 
 bool mist_here() {
     return false;

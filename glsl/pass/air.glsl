@@ -5,6 +5,7 @@
 #include "sky/column.glsl"
 #include "sky/sums.glsl"
 #include "mist/air.glsl"
+#include "mist/sky_none.glsl"
 // The constants AIR_SCATTERS_AGAIN and AIR_SUNLIT.
 #include <air-light>
 

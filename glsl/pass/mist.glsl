@@ -5,3 +5,4 @@
 #include <mist-phase>
 #include <mist-density>
 #include <mist-tracks>
+#include <mist-sky>

@@ -1,5 +1,7 @@
 #include "render/mist.h"
 
+#include "sky/scattered.h"
+
 #include <stdio.h>
 
 static const char *const regions[] = {
@@ -42,5 +44,11 @@ void mist_slots(SlotList *slots, const Plan *plan, const Scene *scene) {
                                              {"mist/function.glsl", "mist/function_coloured.glsl"}};
     slot_file(slots, "mist-tracks", tracks[scene->file->facts.makes_mist][mist_is_coloured(mist)]);
     slot_file(slots, "mist-region", regions[mist->shape]);
+    /* A method that takes the open sky as known is for open scenes. */
+    slot_text(slots, "mist-open",
+              plan->light.method->needs_irradiance ? "const bool MIST_IN_OPEN = true;"
+                                                   : "const bool MIST_IN_OPEN = false;");
+    slot_file(slots, "mist-sky",
+              sky_is_scattered(&plan->sky, scene) ? "pass/mist_sky.glsl" : "mist/sky_none.glsl");
     slot_file(slots, "mist-phase", mist->shanks ? "mist/phase_shanks.glsl" : "mist/phase_henyey.glsl");
 }

@@ -6,6 +6,7 @@
 #include "render/spheres.h"
 #include "sky/further.h"
 #include "sky/irradiance.h"
+#include "sky/scattered.h"
 #include "sky/scene_air.h"
 #include "sky/sky_sampler.h"
 #include "sky/sun.h"
@@ -14,9 +15,9 @@
 
 /* The mirrors come first, because drawn_mirrors_ask() fills them before all other tables. The spheres come
  * next, because only they can be refused: then no other table has been changed. */
-const ResourceKind *const picture_tables[] = {&drawn_mirrors, &drawn_spheres, &scene_spheres, &file_spheres,
-                                              FURTHER_TABLES, &sky_table,     &sky_patches,   &sky_irradiance,
-                                              &sky_sampler,   &sun_table,     &sun_cover,     NULL};
+const ResourceKind *const picture_tables[] = {
+    &drawn_mirrors,  &drawn_spheres, &scene_spheres, &file_spheres, FURTHER_TABLES, &sky_table, &sky_patches,
+    &sky_irradiance, &sky_scattered, &sky_sampler,   &sun_table,    &sun_cover,     NULL};
 
 const Pass trace_pass = {.name = "trace", .entry = "pass/trace.glsl"};
 const Pass sun_image_pass = {.name = "the sun's image", .entry = "pass/sun_image.glsl"};

@@ -77,8 +77,9 @@ static long hit_iterations(const Plan *plan, const Scene *scene) {
         scene_hint_count(scene, HINT_EMITTER_SPHERE))
         loops += scene_hint_count(scene, HINT_BOUND);
     if (looks_for(plan, HINT_PORTAL)) loops += sky_iterations(plan);
-    /* The path's own way through mist takes three tracks, and each other ray one. */
-    long tracks = plan->mist && scene->file->facts.makes_mist ? rays + 2 : 0;
+    /* The path's own way through mist takes three tracks, its way to the open sky one, and each other ray
+     * one. */
+    long tracks = plan->mist && scene->file->facts.makes_mist ? rays + 3 : 0;
     return 1 + rays * plan->needs.search_iterations + tracks * MIST_ITERATIONS + loops;
 }
 

@@ -108,6 +108,10 @@ bool scene_has_mist(const Scene *scene) {
     return mist->line && scene->values.parameters[mist->parameter][0] > 0;
 }
 
+double scene_mist_forward(const Scene *scene) {
+    return number_of(scene, scene->file->mist.words[MIST_FORWARD]);
+}
+
 bool scene_has_air(const Scene *scene) {
     return scene->file->air_line && scene->values.parameters[scene->file->air_parameter][0] > 0;
 }

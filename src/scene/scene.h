@@ -46,6 +46,9 @@ void scene_hint(const Scene *scene, HintKind kind, int index, double out[MOST_HI
 /* Whether the scene has mist that is switched on. */
 bool scene_has_mist(const Scene *scene);
 
+/* The mean cosine of the angle by which it turns light. */
+double scene_mist_forward(const Scene *scene);
+
 /* Whether the atmosphere's air lies between the surfaces. */
 bool scene_has_air(const Scene *scene);
 
