@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 static char folder[256];
-char support_out[65536], support_err[65536];
+char support_out[262144], support_err[65536];
 
 void support_no_gl(const char *reason) {
     const char *required = getenv("REQUIRE_GL");

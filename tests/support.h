@@ -69,7 +69,7 @@ bool support_flatten(GlslSource *source, const char *library, const char *entry,
 /* Runs `magichour ARGUMENTS` through the shell; `environment` in front ("LP_NUM_THREADS=1") may be "". Gives
  * the exit status; what it printed is in support_out and support_err until the next run. */
 int support_run(const char *environment, const char *format, ...) __attribute__((format(printf, 2, 3)));
-extern char support_out[65536], support_err[65536];
+extern char support_out[262144], support_err[65536];
 
 /* A number of the last line of --progress json in support_err; -1 where it has none of that name. */
 double support_figure(const char *name);

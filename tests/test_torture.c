@@ -50,11 +50,11 @@ static int count_broken(const Image *image, int *negative) {
 static bool judge(const Torture *torture, const char *scene, uint32_t number, const Image *picture) {
     const char *out = picture_path;
     int samples = torture->samples * 16 > JUDGE_SAMPLES ? torture->samples * 16 : JUDGE_SAMPLES;
+    const char *light = strstr(torture->options, "--light auto") ? "--light control" : "";
     double sum = 0, variances = 0, worst = 0;
     support_expect(0, "",
-                   "render '%s' %s --light control --sequence random --seed %u --spp %d --aov variance "
-                   "--quiet -o '%s'",
-                   scene, torture->options, 5000 + number, samples, out);
+                   "render '%s' %s %s --sequence random --seed %u --spp %d --aov variance --quiet -o '%s'",
+                   scene, torture->options, light, 5000 + number, samples, out);
     Image mean = read_layer(out, NULL), variance = read_layer(out, "variance");
     for (int i = 0; i < 4 * picture->width * picture->height; i++) {
         if (i % 4 == 3 || !(picture->rgba[i] < 0)) continue;

@@ -190,7 +190,8 @@ static void write_options(Dice *dice, Torture *torture) {
     if (strcmp(disk, "traced") == 0 && (strcmp(light, "paper") == 0 || strcmp(sequence, "metropolis") == 0 ||
                                         strstr(torture->scene, "//@ mist")))
         disk = "sampled";
-    torture->may_control = strcmp(light, "control") == 0 || strcmp(light, "auto") == 0;
+    torture->may_control =
+        strcmp(light, "control") == 0 || strcmp(light, "auto") == 0 || strstr(torture->scene, "//@ mist");
     torture->chains = strcmp(sequence, "metropolis") == 0;
     torture->samples = 1 + choose(dice, 24);
     int width = 1 + choose(dice, 32), height = 1 + choose(dice, 32), seed = choose(dice, 1000);

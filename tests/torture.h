@@ -11,7 +11,8 @@ typedef struct Torture {
     /* The options of `render` without the number of samples, and that number. */
     char options[512];
     int samples;
-    /* Whether the light method is `control`, or may be because `auto` chooses. */
+    /* Whether a control variate may bring negative values: the light method is `control`, or may be because
+     * `auto` chooses, or there is mist. */
     bool may_control;
     /* Whether the picture is made of points of light alone. */
     bool chains;
