@@ -111,6 +111,11 @@ static void test_switch(void **state) {
     scene = write_ball("both.glsl", "//@ mist extinction 0.1 below 1\n//@ air on", "0.5");
     support_expect(STATUS_SCENE, "both.glsl:4: air and mist (line 3) are not computed together",
                    "render '%s' -o '%s'", scene, none);
+    /* Neither is turned on beside the other to see what it is worth. */
+    scene = write_ball("either.glsl",
+                       CAMERA "//@ sky uniform:1\n//@ mist off extinction 0.1 below 1\n//@ air on", "0.5");
+    assert_int_equal(support_run("", "explain '%s' --size 8x8", scene), 0);
+    assert_non_null(strstr(support_out, "  mist (the scene's)                       -"));
     support_expect(STATUS_USAGE, "has no setting 'air'", "render '%s' --set air=off -o '%s'",
                    write_ball("clear.glsl", "", "0.5"), none);
 }

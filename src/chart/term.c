@@ -238,7 +238,11 @@ static TermState emitters_state(const Term *term, const RenderParams *params, co
 /* The terms that are checkboxes of the scene. */
 static TermState checkbox_state(const Term *term, const RenderParams *params, const Renderer *renderer) {
     (void)renderer;
-    return state_of(true, params->scene->values.parameters[term->number][0] > 0);
+    /* Mist and air are not computed together, so that neither is turned on beside the other. */
+    const SceneFile *file = params->scene->file;
+    bool mist = file->mist.line && term->number == file->mist.parameter && scene_has_air(params->scene);
+    bool air = file->air_line && term->number == file->air_parameter && scene_has_mist(params->scene);
+    return state_of(!mist && !air, params->scene->values.parameters[term->number][0] > 0);
 }
 
 static void checkbox_turn(const Term *term, Variation *variation, bool on) {
