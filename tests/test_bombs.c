@@ -157,6 +157,7 @@ static void test_exr_counts(void **state) {
     (void)state;
     const char *path = write_exr("many.exr", (Claims){.x = 3, .y = 3, .channels = 40000, .zeros = 64});
     expect_refused(path, "EXR of 40000 channels: at most 4096 can be read");
+    fault_expect(1, "many.exr: ", "info '%s'", path);
     path = write_exr("many.exr", (Claims){.x = 3, .y = 3, .attributes = 40000, .zeros = 64});
     expect_refused(path, "EXR of 40008 attributes: at most 4096 can be read");
     path = write_exr("many.exr", (Claims){.x = 0, .y = 0, .channels = 1, .parts = 5000, .zeros = 64});

@@ -1,20 +1,23 @@
 #include "cmd/info_file.h"
 
 #include "base/file.h"
+#include "base/regular.h"
 #include "error/checkpoint.h"
 #include "image/format.h"
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 bool info_is_file(const char *path) {
     char start[32];
-    if (file_is_special(path)) return false;
-    FILE *file = fopen(path, "rb");
-    if (!file) return false;
-    size_t size = fread(start, 1, sizeof start, file);
-    fclose(file);
-    Text text = {.data = start, .size = size};
+    struct stat found;
+    Error ignored;
+    int descriptor = regular_open(path, &found, STATUS_FAILURE, &ignored);
+    if (descriptor < 0) return false;
+    ssize_t size = read(descriptor, start, sizeof start);
+    close(descriptor);
+    Text text = {.data = start, .size = size > 0 ? (size_t)size : 0};
     return image_is_one(&text) || checkpoint_is_one(&text);
 }
 

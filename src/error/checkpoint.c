@@ -144,7 +144,7 @@ static char *driver_of(const Parts *parts) {
     const char *end = parts->about + parts->about_size - 1, *at = end;
     while (at > parts->about && at[-1] != '\n') at--;
     size_t length = (size_t)(end - at), skip = strlen(driver_line);
-    return length > skip ? strndup(at + skip, length - skip) : strdup("");
+    return length > skip ? memory_string_part(at + skip, length - skip) : memory_string("");
 }
 
 static bool load(const char *path, const Parts *parts, Checkpoint *checkpoint, Error *error) {

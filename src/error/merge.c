@@ -128,7 +128,7 @@ static void add_piece(Part *whole, const PartPiece *piece) {
 static void join_parts(Merge *merge) {
     Part *whole = &merge->whole;
     const Part *first = &merge->parts[0];
-    *whole = (Part){.identity = strdup(first->identity),
+    *whole = (Part){.identity = memory_string(first->identity),
                     .light_first = first->light_first,
                     .light_scale = first->light_scale,
                     .layers = first->layers};

@@ -110,7 +110,7 @@ static bool parse(Part *part) {
                *luck = part_attribute(part, ATTRIBUTE ".luck"),
                *search = part_attribute(part, ATTRIBUTE ".search");
     if (!identity || !bits || !light || !luck || !search) return false;
-    part->identity = strdup(identity);
+    part->identity = memory_string(identity);
     return parse_pieces(part, part_attribute(part, ATTRIBUTE)) && sscanf(bits, "%u", &part->layers) == 1 &&
            sscanf(luck, "%d", &part->luck) == 1 &&
            sscanf(light, "%lf %lf %lf", &part->light_first, &part->light_paths, &part->light_scale) == 3 &&
@@ -122,7 +122,7 @@ bool part_read(Part *part, const char *path, Error *error) {
     Image image;
     Text bytes = {0};
     ImageReadParams params = {.layer = layers[PART_SUM].name, .bytes = &bytes};
-    *part = (Part){.path = strdup(path)};
+    *part = (Part){.path = memory_string(path)};
     bool ok = image_read(&image, path, error);
     if (ok) image_free(&image);
     if (ok && !image_read_as(&image, path, &params, error))

@@ -5,14 +5,19 @@
 
 #include <string.h>
 
+/* Opens what is within the bounds; to be finished. */
+static bool begin(exr_context_t *file, ExrStream *stream) {
+    Error ignored;
+    if (!exr_bounds_count(stream->in, "EXR", &ignored)) return false;
+    exr_context_initializer_t settings = exr_settings(stream);
+    return exr_start_read(file, "EXR", &settings) == EXR_ERR_SUCCESS;
+}
+
 bool exr_attribute(const Text *bytes, const char *name, Text *value) {
     exr_context_t file = NULL;
     ExrStream stream = {.in = bytes};
-    Error ignored;
-    if (!exr_bounds_count(bytes, "EXR", &ignored)) return false;
-    exr_context_initializer_t settings = exr_settings(&stream);
     const exr_attribute_t *attribute = NULL;
-    if (exr_start_read(&file, "EXR", &settings) != EXR_ERR_SUCCESS) return false;
+    if (!begin(&file, &stream)) return false;
     int parts = 0;
     bool found = false;
     if (exr_get_count(file, &parts) != EXR_ERR_SUCCESS) parts = 0;
@@ -72,9 +77,8 @@ static void describe_texts(exr_context_t file, int part, Text *lines) {
 bool exr_describe(const Text *bytes, Text *lines) {
     exr_context_t file = NULL;
     ExrStream stream = {.in = bytes};
-    exr_context_initializer_t settings = exr_settings(&stream);
     int parts = 0;
-    if (exr_start_read(&file, "EXR", &settings) != EXR_ERR_SUCCESS) return false;
+    if (!begin(&file, &stream)) return false;
     if (exr_get_count(file, &parts) != EXR_ERR_SUCCESS) parts = 0;
     for (int part = 0; part < parts; part++) {
         describe_windows(file, part, lines);
@@ -88,9 +92,8 @@ bool exr_describe(const Text *bytes, Text *lines) {
 bool exr_attributes(const Text *bytes, AttributeList *list) {
     exr_context_t file = NULL;
     ExrStream stream = {.in = bytes};
-    exr_context_initializer_t settings = exr_settings(&stream);
     int32_t count = 0;
-    if (exr_start_read(&file, "EXR", &settings) != EXR_ERR_SUCCESS) return false;
+    if (!begin(&file, &stream)) return false;
     if (exr_get_attribute_count(file, 0, &count) != EXR_ERR_SUCCESS) count = 0;
     for (int32_t i = 0; i < count; i++) {
         const exr_attribute_t *attribute = NULL;
