@@ -210,6 +210,14 @@ static void test_png(void **state) {
     expect_refused(write_png(5000, 5000, 16, 6), "needs 573 MiB of memory, and 256 MiB are allowed");
     expect_refused(write_png(65536, 65536, 1, 0), "PNG of 65536x65536: at most 268435456 pixels can be read");
     expect_refused(write_png(2147483647, 2147483647, 1, 0), "bomb.png: ");
+    /* A text that claims to be longer than the file. */
+    const char *path = write_png(3, 3, 8, 2);
+    assert_int_equal(
+        fault_shell("head -c 33 $D/bomb.png >$D/text.png; printf '\\151\\0\\0\\0iTXtmagichour.samples' "
+                    ">>$D/text.png; cat $D/bomb.png >>$D/text.png"),
+        0);
+    fault_expect(1, "text.png: broken PNG: it ends too early", "compare '%s' '%s'", support_path("text.png"),
+                 path);
     /* It claims no more than it may, and has nothing. */
     expect_refused(write_png(3000, 3000, 8, 2), "bomb.png: broken PNG: ");
 }

@@ -38,6 +38,20 @@ static void bytes_take(png_structp png, png_bytep bytes, size_t size) {
     source->at += size;
 }
 
+/* Whether all chunks up to the last are as long as they claim: libpng takes memory for a text before it reads
+ * it. */
+static bool chunks_fit(const Text *file) {
+    size_t at = 8;
+    while (at <= file->size && file->size - at >= 12) {
+        const unsigned char *chunk = (const unsigned char *)file->data + at;
+        size_t length = (size_t)chunk[0] << 24 | (size_t)chunk[1] << 16 | (size_t)chunk[2] << 8 | chunk[3];
+        if (length > file->size - at - 12) return false;
+        if (memcmp(chunk + 4, "IEND", 4) == 0) return true;
+        at += length + 12;
+    }
+    return false;
+}
+
 /* The header. False after png_fail. */
 static bool header_read(png_structp png, png_infop info) {
     if (setjmp(png_jmpbuf(png))) return false;
@@ -115,6 +129,7 @@ static bool picture_read(png_structp png, png_infop info, const PngSource *sourc
 bool png_decode(Image *image, const char *path, const Text *file, const ImageReadParams *params,
                 Error *error) {
     *image = (Image){0};
+    if (!chunks_fit(file)) return error_set(error, STATUS_FAILURE, "%s: broken PNG: it ends too early", path);
     PngSource source = {.file = file, .path = path, .error = error};
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, png_fail, png_ignore);
     png_infop info = png ? png_create_info_struct(png) : NULL;
@@ -135,7 +150,7 @@ typedef void TakeTexts(png_structp png, png_infop info, void *data);
 /* Reads the header and the metadata in front of the pixels. */
 static bool texts_read(const Text *file, TakeTexts *take, void *data) {
     Error ignored;
-    if (!file->size) return false;
+    if (!file->size || !chunks_fit(file)) return false;
     PngSource source = {.file = file, .path = "PNG", .error = &ignored};
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, png_fail, png_ignore);
     png_infop info = png ? png_create_info_struct(png) : NULL;
