@@ -8,9 +8,9 @@
 //@ preset  sunset    sun.elevation 5   exposure 0.5
 //@ preset  twilight  sun.elevation -2  exposure 4
 //@ mist    off  extinction fog  albedo 0.99 0.99 0.99  g 0.7  falloff deep
-//@ preset  fog       mist on  sun.elevation 4  sun.azimuth 20  exposure 0.5
+//@ preset  fog       mist on  air off  sun.elevation 4  sun.azimuth 20  exposure 0.5
 //@ air     off
-//@ preset  kilometres  air on  scale 120  camera.eye -120,960,-5400  camera.target 60,420,0  camera.fov 45  sun.elevation 30  sun.azimuth 60
+//@ preset  kilometres  air on  mist off  scale 120  camera.eye -120,960,-5400  camera.target 60,420,0  camera.fov 45  sun.elevation 30  sun.azimuth 60
 //@ preset  dry       lake 0  sun.elevation 30  sun.azimuth 110
 #include "distance/hills.glsl"
 #include "material/matte.glsl"
