@@ -38,6 +38,8 @@ static Status run(const Options *options, int argc, char **argv, Error *error) {
         return cmd_render(options, argc, argv, error);
     case COMMAND_VIEW:
         return cmd_view(options, error);
+    case COMMAND_SWEEP:
+        return cmd_sweep(options, argv, error);
     case COMMAND_MERGE:
         return cmd_merge(options, argc, argv, error);
     case COMMAND_COMPARE:

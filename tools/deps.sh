@@ -4,7 +4,7 @@
 # is missing and how to install it, and fails. The names are those of Debian 12, Debian 13 and Ubuntu 24.04.
 set -eu
 
-groups="build window chart almanac test window-test lint ci fuzz figures"
+groups="build window chart almanac test window-test lint ci cluster fuzz figures"
 packages_of() {
     case $1 in
     # The compilers, the libraries of picture formats, and an OpenGL that runs on any machine (Mesa's llvmpipe).
@@ -20,6 +20,8 @@ packages_of() {
     # What `make lint` asks, and what .ci/run asks besides.
     lint) echo clang-format glslang-tools git shellcheck cppcheck ;;
     ci) echo clang ;;
+    # What tools/cluster/ uses: Slurm with its authentication, and GNU parallel.
+    cluster) echo slurm-wlm slurmctld slurmd munge parallel ;;
     # What `make fuzz` needs besides: the runtime of the compiler that `clang` stands for.
     fuzz) echo clang "$(apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/libclang-rt-\1-dev/p' | head -n 1)" ;;
     # What draws the READMEs' charts and contact sheets.

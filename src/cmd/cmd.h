@@ -7,6 +7,7 @@
 Status cmd_render(const Options *options, int argc, char **argv, Error *error);
 Status cmd_view(const Options *options, Error *error);
 Status cmd_merge(const Options *options, int argc, char **argv, Error *error);
+Status cmd_sweep(const Options *options, char **argv, Error *error);
 Status cmd_compare(const Options *options, Error *error);
 Status cmd_info(const Options *options, Error *error);
 Status cmd_flatten(const Options *options, Error *error);

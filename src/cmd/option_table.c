@@ -20,6 +20,8 @@ const CommandRow command_table[] = {
      "what a scene needs: the change and the cost of each term of the model", 1, 1},
     {COMMAND_MERGE, "merge", "merge A B ... -o FILE [options]",
      "pictures of other samples or other pixels of the same picture become one", 1, MOST_INPUTS},
+    {COMMAND_SWEEP, "sweep", "sweep SCENE -o DIR [options] [-- options of render]",
+     "the list of jobs of a time-lapse: a render for each place of the sun", 1, MOST_INPUTS},
     {COMMAND_HELP, "help", "help [COMMAND]", "the commands, or a command's options", 0, 1},
     {COMMAND_VERSION, "version", "version", "the program's version", 0, 0},
 };
@@ -38,7 +40,8 @@ enum {
     H = COMMAND_CHART,
     E = COMMAND_EXPLAIN,
     M = COMMAND_MERGE,
-    ALL = R | M | V | C | I | F | S | H | E | COMMAND_HELP | COMMAND_VERSION
+    W = COMMAND_SWEEP,
+    ALL = R | M | W | V | C | I | F | S | H | E | COMMAND_HELP | COMMAND_VERSION
 };
 
 /* These are a row's kind, function, offset and words. */
@@ -64,6 +67,11 @@ const OptionRow option_table[] = {
      NULL},
     {GROUP_OUTPUT, "--side-by-side", "FILE", C, STRING(side_by_side),
      "write A, B and the difference beside each other: .png", NULL},
+    {GROUP_OUTPUT, "-o", "DIR", W, TAKE(take_output),
+     "the folder for the frames and for `jobs`, the list of their renders; made if need be", "--output"},
+    {GROUP_OUTPUT, "--frames", "N", W, TAKE(take_frames), "so many frames; 100 by default", NULL},
+    {GROUP_OUTPUT, "--fps", "F", W, TAKE(take_frame_rate), "frames a second of the film; 25 by default",
+     NULL},
     {GROUP_OUTPUT, "-o", "DIR", H, TAKE(take_output),
      "the folder for CSV, SVG, PNG and the reference; made if need be", "--output"},
     {GROUP_OUTPUT, "--size", "WxH", H, TAKE(take_size), "picture size in pixels; 256x256 by default", NULL},
@@ -122,6 +130,12 @@ const OptionRow option_table[] = {
 
     {GROUP_SKY, "--sun", "EL[,AZ]", R | V | S | H | E, TAKE(take_sun),
      "the sun's elevation and azimuth (from +z toward +x), degrees", NULL},
+    {GROUP_SKY, "--sun", "FROM..TO", W, STRING(sun_range),
+     "the sun's elevation, or elevation and azimuth (EL,AZ..EL,AZ), in the first and the last frame, degrees",
+     NULL},
+    {GROUP_SKY, "--when", "FROM..TO", W, STRING(when),
+     "with --where: the sun as it stands at these times in the first and the last frame", NULL},
+    {GROUP_SKY, "--where", "LAT,LON[,M]", W, STRING(where), "the place", NULL},
     {GROUP_SKY, "--when", "TIME", R | V | I | S | H | E, STRING(when),
      "with --where: the sun as it stands at this time, such as 2026-06-21T20:30+02:00 (Z is UTC). Refraction "
      "is left "
@@ -228,7 +242,7 @@ const OptionRow option_table[] = {
     {GROUP_OTHER, "--progress", "KIND", V, WORD(progress, "json,none"),
      "json or none, for the window shows its progress; none by default", NULL},
     {GROUP_OTHER, "--quiet", NULL, C, FLAG(quiet), "print nothing: only the exit status", NULL},
-    {GROUP_OTHER, "--quiet", NULL, R | S | H | E | M, FLAG(quiet), "no summary, no progress", NULL},
+    {GROUP_OTHER, "--quiet", NULL, R | S | H | E | M | W, FLAG(quiet), "no summary, no progress", NULL},
     {GROUP_OTHER, "-v", NULL, R, FLAG(verbose), "say what is chosen and why", NULL},
     {GROUP_OTHER, "-v", NULL, I, FLAG(verbose), "list all settings of the scene's atmosphere", NULL},
     {GROUP_OTHER, "-vv", NULL, R, FLAG(files), "the same, and the files that are compiled", NULL},

@@ -19,7 +19,8 @@ typedef enum Command {
     COMMAND_EXPLAIN = 1 << 7,
     COMMAND_HELP = 1 << 8,
     COMMAND_VERSION = 1 << 9,
-    COMMAND_MERGE = 1 << 10
+    COMMAND_MERGE = 1 << 10,
+    COMMAND_SWEEP = 1 << 11
 } Command;
 
 /* Files that a command may take: `merge` takes so many. */
@@ -44,6 +45,8 @@ typedef struct Options {
     int width, height;
     bool has_sun, has_azimuth;
     double sun_elevation_deg, sun_azimuth_deg;
+    /* Of `sweep`: "FROM..TO". */
+    const char *sun_range;
     /* The moment and the place that say where the sun stands. */
     const char *when, *where;
     const char *preset, *atmosphere, *sky, *light, *sequence, *backend, *glsl_dir;
