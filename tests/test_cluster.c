@@ -35,7 +35,7 @@ static void test_slurm(void **state) {
     support_open(&context);
     context_close(&context);
     snprintf(line, sizeof line, "MAGICHOUR=%s timeout 400 tools/cluster/try.sh %llu >'%s' 2>&1", program(),
-             (unsigned long long)support_samples(16384) + 2048, support_path("slurm.log"));
+             (unsigned long long)support_samples(65536) + 8192, support_path("slurm.log"));
     if (system(line) == 0) return;
     Text said = {0};
     Error error;

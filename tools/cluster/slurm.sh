@@ -37,7 +37,7 @@ fi
 then=$(sed -n 's/^#then: //p' "$jobs")
 after=""
 if [ -n "$then" ]; then
-    after=$(sbatch --parsable ${array:+--dependency=afterok:$array} --output="$jobs.d/then.log" "$@" <<SCRIPT
+    after=$(sbatch --parsable ${array:+--dependency=afterok:$array --kill-on-invalid-dep=yes} --output="$jobs.d/then.log" "$@" <<SCRIPT
 #!/usr/bin/env bash
 cd $(printf %q "$PWD") || exit 1
 $then
