@@ -135,7 +135,7 @@ const OptionRow option_table[] = {
      NULL},
     {GROUP_SKY, "--when", "FROM..TO", W, STRING(when),
      "with --where: the sun as it stands at these times in the first and the last frame", NULL},
-    {GROUP_SKY, "--where", "LAT,LON[,M]", W, STRING(where), "the place", NULL},
+    {GROUP_SKY, "--where", "LAT,LON[,M]", W, STRING(where), "where the sun of --when is seen", NULL},
     {GROUP_SKY, "--when", "TIME", R | V | I | S | H | E, STRING(when),
      "with --where: the sun as it stands at this time, such as 2026-06-21T20:30+02:00 (Z is UTC). Refraction "
      "is left "
