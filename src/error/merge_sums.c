@@ -74,6 +74,17 @@ static void add_chance(double *to, const float *from) {
     to[3] = (double)((unsigned)to[3] | (from[3] > 0 ? (unsigned)from[3] : 0U));
 }
 
+/* Whether a layer's numbers of a pixel can be: sums that are finite but for the scatter, which may be
+ * unknown, and in alpha whole counts or sets of bits. */
+static bool is_sane(int layer, const float *value) {
+    static const float most_count = 0x1p36F, most_bits = 0x1p24F;
+    bool bits = layer == PART_CHANCE || layer == PART_SQUARES,
+         light = layer == PART_LIGHT || layer == PART_LIGHT_REST;
+    for (int c = 0; layer != PART_SCATTER && c < 3; c++)
+        if (!isfinite(value[c])) return false;
+    return light || (value[3] >= 0 && value[3] <= (bits ? most_bits : most_count));
+}
+
 static void add_pixel(MergeSums *sums, size_t pixel, const Image *layers, double light_paths) {
     const float *sum = layers[PART_SUM].rgba + 4 * pixel, *rest = layers[PART_REST].rgba + 4 * pixel;
     if (sums->scatter) add_scatter(sums, pixel, sum, rest, layers[PART_SCATTER].rgba + 4 * pixel);
@@ -91,6 +102,18 @@ static void add_pixel(MergeSums *sums, size_t pixel, const Image *layers, double
     if (sums->squares) add_chance(sums->squares + 4 * pixel, layers[PART_SQUARES].rgba + 4 * pixel);
 }
 
+/* Adds the pixels that the part has. Returns false if one of them has numbers that no film has. */
+static bool add_pixels(MergeSums *sums, const Part *part, const Image *layers) {
+    for (size_t pixel = 0; pixel < pixel_count(sums); pixel++) {
+        int x = (int)(pixel % (size_t)sums->width), y = (int)(pixel / (size_t)sums->width);
+        if (!part_holds(part, x, y)) continue;
+        for (int i = 0; i < PART_LAYERS; i++)
+            if (has(sums->layers, i) && !is_sane(i, layers[i].rgba + 4 * pixel)) return false;
+        add_pixel(sums, pixel, layers, part->light_paths);
+    }
+    return true;
+}
+
 bool merge_sums_add(MergeSums *sums, const Part *part, Error *error) {
     Image layers[PART_LAYERS] = {{0}};
     bool ok = true;
@@ -101,10 +124,8 @@ bool merge_sums_add(MergeSums *sums, const Part *part, Error *error) {
             ok = error_set(error, STATUS_FAILURE, "%s: it is of %dx%d, and the others of %dx%d", part->path,
                            layers[i].width, layers[i].height, sums->width, sums->height);
     }
-    for (int y = 0; ok && y < sums->height; y++)
-        for (int x = 0; x < sums->width; x++)
-            if (part_holds(part, x, y))
-                add_pixel(sums, (size_t)y * (size_t)sums->width + (size_t)x, layers, part->light_paths);
+    ok = ok && (add_pixels(sums, part, layers) ||
+                error_set(error, STATUS_FAILURE, "%s: its sums are not those of a picture", part->path));
     for (int i = 0; i < PART_LAYERS; i++) image_free(&layers[i]);
     return ok;
 }

@@ -5,6 +5,7 @@
 #include "image/format.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -86,6 +87,16 @@ const char *part_attribute(const Part *part, const char *name) {
     return NULL;
 }
 
+/* Numbers of samples are below this: a film counts 2^24, and pictures of many parts have more. */
+static const uint64_t most_samples = (uint64_t)1 << 44;
+
+static bool is_sane(const PartPiece *piece) {
+    const Rectangle *r = &piece->area;
+    return r->x >= 0 && r->y >= 0 && r->width >= 1 && r->height >= 1 && r->width <= 65536 &&
+           r->height <= 65536 && r->x <= 65536 && r->y <= 65536 && piece->first < most_samples &&
+           piece->count < most_samples;
+}
+
 /* Reads the list of pieces. */
 static bool parse_pieces(Part *part, const char *text) {
     while (text && *text) {
@@ -93,7 +104,7 @@ static bool parse_pieces(Part *part, const char *text) {
         int length = 0;
         if (sscanf(text, "%d,%d,%d,%d:%" SCNu64 "+%" SCNu64 "%n", &piece.area.x, &piece.area.y,
                    &piece.area.width, &piece.area.height, &piece.first, &piece.count, &length) != 6 ||
-            !length || piece.area.width < 1 || piece.area.height < 1 || piece.area.x < 0 || piece.area.y < 0)
+            !length || !is_sane(&piece))
             return false;
         part->pieces = memory_grow(part->pieces, (size_t)part->piece_count + 1, sizeof piece);
         part->pieces[part->piece_count++] = piece;
@@ -101,6 +112,18 @@ static bool parse_pieces(Part *part, const char *text) {
         text += *text == ' ';
     }
     return part->piece_count > 0;
+}
+
+/* Whether the layers are those of a film, and the numbers such as it has. */
+static bool is_film(const Part *part) {
+    unsigned sums = 1U << PART_SUM | 1U << PART_REST, chance = 1U << PART_CHANCE | 1U << PART_SQUARES,
+             light = 1U << PART_LIGHT | 1U << PART_LIGHT_REST, all = part->layers;
+    bool numbers = part->light_first >= 0 && part->light_first < 1e300 && part->light_paths >= 0 &&
+                   part->light_paths < 1e300 && isfinite(part->light_scale);
+    for (int i = 0; i < 4; i++) numbers &= part->search[i] >= 0 && part->search[i] < 1e300;
+    return numbers && !(all >> PART_LAYERS) && (all & sums) == sums &&
+           ((all & chance) == 0 || (all & chance) == chance) &&
+           ((all & light) == 0 || (all & light) == light);
 }
 
 static bool parse(Part *part) {
@@ -115,7 +138,8 @@ static bool parse(Part *part) {
            sscanf(luck, "%d", &part->luck) == 1 &&
            sscanf(light, "%lf %lf %lf", &part->light_first, &part->light_paths, &part->light_scale) == 3 &&
            sscanf(search, "%lf %lf %lf %lf", &part->search[0], &part->search[1], &part->search[2],
-                  &part->search[3]) == 4;
+                  &part->search[3]) == 4 &&
+           is_film(part);
 }
 
 bool part_read(Part *part, const char *path, Error *error) {
