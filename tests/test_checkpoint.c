@@ -313,6 +313,21 @@ static void test_uneven(void **state) {
     support_expect(0, "", UNEVEN "--error 1.2 --resume '%s'", out, file);
 }
 
+/* A checkpoint that cannot be written does not lose the picture. */
+static void test_unwritten(void **state) {
+    (void)state;
+    const char *file = support_path("full.state"), *out = support_path("full.pfm"), *whole = whole_picture();
+    unlink(out);
+    /* 75 kB of a picture fit, and 290 kB of a checkpoint do not. */
+    int status = support_run("ulimit -f 300;", "%s -o '%s' --checkpoint '%s' --checkpoint-every 0.01",
+                             picture, out, file);
+    assert_int_equal(status, STATUS_OUTPUT);
+    assert_non_null(strstr(support_err, "full.state: cannot be written"));
+    assert_non_null(strstr(support_err, "the render goes on"));
+    expect_same(whole, out);
+    assert_int_equal(access(file, F_OK), -1);
+}
+
 static void test_info(void **state) {
     (void)state;
     const char *file = support_path("info.state"), *out = support_path("info.exr");
@@ -330,8 +345,9 @@ static void test_info(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_states),   cmocka_unit_test(test_killed), cmocka_unit_test(test_signals),
-        cmocka_unit_test(test_refusals), cmocka_unit_test(test_uneven), cmocka_unit_test(test_info),
+        cmocka_unit_test(test_states),    cmocka_unit_test(test_killed), cmocka_unit_test(test_signals),
+        cmocka_unit_test(test_refusals),  cmocka_unit_test(test_uneven), cmocka_unit_test(test_info),
+        cmocka_unit_test(test_unwritten),
     };
     return cmocka_run_group_tests_name("checkpoint", tests, support_folder, support_clean);
 }

@@ -174,9 +174,12 @@ Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
     else
         ok = ok && render_scene(&job, error);
     progress_clear(&job.progress);
-    bool interrupted = job.figures.interrupted;
+    bool interrupted = job.figures.interrupted, missing = job.output_missing;
     bool broken = options->error.amount > 0 && !job.promise.given;
     release(&job);
     if (!ok) return error->status;
-    return interrupted ? STATUS_INTERRUPTED : broken ? STATUS_UNPROMISED : STATUS_DONE;
+    return missing       ? STATUS_OUTPUT
+           : interrupted ? STATUS_INTERRUPTED
+           : broken      ? STATUS_UNPROMISED
+                         : STATUS_DONE;
 }

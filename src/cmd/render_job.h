@@ -39,7 +39,8 @@ typedef struct RenderJob {
     ProgressFigures figures;
     /* Seconds of rendering before this run, which --resume continues. */
     double earlier_seconds;
-    bool checkpoint_written;
+    /* Whether the last checkpoint was written, and whether it could not be. */
+    bool checkpoint_written, output_missing;
     /* Whether the target error is promised. Means nothing without a target. */
     Promise promise;
 } RenderJob;

@@ -148,7 +148,7 @@ static bool write_checkpoint(RenderJob *job, Error *error) {
     text_free(&identity);
     text_free(&driver);
     text_free(&about);
-    job->checkpoint_written |= ok;
+    job->checkpoint_written = ok;
     return ok;
 }
 
@@ -165,27 +165,39 @@ static bool write_picture(RenderJob *job, Error *error) {
     return true;
 }
 
+/* What cannot be written does not end the render: its picture would be lost with it. */
+static bool forgive(RenderJob *job, bool ok, Error *error) {
+    if (ok || error->status != STATUS_OUTPUT) return ok;
+    progress_clear(&job->progress);
+    fprintf(stderr, "magichour: warning: %s: the render goes on without it\n", error->text);
+    *error = (Error){.status = STATUS_DONE};
+    job->output_missing = true;
+    return true;
+}
+
 bool saver_save(RenderJob *job, Error *error) {
     if (interrupt_picture_asked()) {
         interrupt_picture_done();
-        if (!write_picture(job, error)) return false;
+        if (!forgive(job, write_picture(job, error), error)) return false;
     }
     if (interrupt_requested() || clock_seconds() < due) return true;
     double seconds = job->options->checkpoint_seconds;
-    bool ok = write_checkpoint(job, error);
+    bool ok = forgive(job, write_checkpoint(job, error), error);
     due = clock_seconds() + (seconds > 0 ? seconds : usual_interval);
     return ok;
 }
 
 bool saver_end(RenderJob *job, Error *error) {
-    return write_checkpoint(job, error);
+    job->output_missing = false;
+    return forgive(job, write_checkpoint(job, error), error);
 }
 
 void saver_say(const RenderJob *job) {
     const Options *options = job->options;
     if (!job->figures.interrupted || !options->checkpoint || options->quiet) return;
     if (!job->checkpoint_written) {
-        fprintf(stderr, "magichour: no checkpoint: not one group of samples was complete\n");
+        fprintf(stderr, "magichour: no checkpoint: %s\n",
+                job->output_missing ? "it could not be written" : "not one group of samples was complete");
         return;
     }
     Text command = {0};
