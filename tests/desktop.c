@@ -161,15 +161,18 @@ int desktop_end(Desktop *desktop) {
     return -1;
 }
 
+void desktop_print_last(Desktop *desktop) {
+    const char *log = desktop_log(desktop);
+    size_t length = strlen(log);
+    /* cmocka's own functions cut what is long, and the reason stands last. */
+    printf("the window's last words:\n%s\n", log + (length > 4000 ? length - 4000 : 0));
+    fflush(stdout);
+}
+
 void desktop_quit(Desktop *desktop) {
     desktop_do(desktop, "key Escape");
     int status = desktop_end(desktop);
-    if (status) {
-        /* What it said last, such as what a sanitizer has found. */
-        const char *log = desktop_log(desktop);
-        size_t length = strlen(log);
-        print_message("the window's last words:\n%s\n", log + (length > 2000 ? length - 2000 : 0));
-    }
+    if (status) desktop_print_last(desktop);
     assert_int_equal(status, 0);
     assert_non_null(strstr(desktop_log(desktop), "\"event\": \"end\""));
     assert_null(strstr(desktop_log(desktop), "OpenGL error"));

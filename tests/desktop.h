@@ -22,6 +22,9 @@ void desktop_start(Desktop *desktop, const char *format, ...) __attribute__((for
 /* Waits until the program has ended and gives its exit status. */
 int desktop_end(Desktop *desktop);
 
+/* Prints the end of what the program said, such as what a sanitizer has found. */
+void desktop_print_last(Desktop *desktop);
+
 /* Closes the window by a key: it must end well, and without an error of OpenGL's. */
 void desktop_quit(Desktop *desktop);
 

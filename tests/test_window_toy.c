@@ -28,7 +28,10 @@ static void test_toys(void **state) {
         bool refused = toys_line(toy, "refused", 0, words, sizeof words);
         desktop_start(window, "\"$here\"/%s --size 40x30 --record . --frames 3 --fps 1", toy);
         int status = desktop_end(window);
-        if (status != (refused ? 3 : 0)) fail_msg("%s: status %d: %s", toy, status, desktop_log(window));
+        if (status != (refused ? 3 : 0)) {
+            desktop_print_last(window);
+            fail_msg("%s: status %d", toy, status);
+        }
         for (int i = 0; toys_line(toy, refused ? "refused" : "warns", i, words, sizeof words); i++) {
             if (!strstr(desktop_log(window), words))
                 fail_msg("%s: no '%s' in: %s", toy, words, desktop_log(window));
