@@ -301,7 +301,7 @@ static bool yes(void) {
 
 /* A picture of a group of samples, drawn at this pace; 0 for one that is not known yet. */
 static Image picture_at(Renderer *renderer, double seconds, Pace *pace) {
-    Image image;
+    Image image = {0};
     FilmCount count;
     Error error;
     film_reset(&renderer->film);
