@@ -4,6 +4,7 @@
 #include "error/merge.h"
 #include "image/format.h"
 #include "image/sun_pixels.h"
+#include "render/describe.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -61,7 +62,6 @@ static double samples_of(const Merge *merge) {
 
 static void describe(const Merge *merge, const Options *options, int argc, char **argv, AttributeList *list) {
     const AttributeList *first = &merge->parts[0].attributes;
-    const double *search = merge->whole.search;
     Text command = {0};
     text_print_command(&command, argc, argv);
     for (int i = 0; i < first->count; i++)
@@ -73,21 +73,14 @@ static void describe(const Merge *merge, const Options *options, int argc, char 
     attribute_add(list, "magichour.samples_range", "%" PRIu64 " to %" PRIu64, merge->least, merge->most);
     if (merge->whole.light_paths > 0)
         attribute_add(list, "magichour.light_paths", "%.0f", merge->whole.light_paths);
-    if (merge->chance.paths > 0) {
-        attribute_add(list, "magichour.chance_paths_percent", "%.3g", 100 * merge->chance.paths);
-        attribute_add(list, "magichour.chance_pixels_percent", "%.3g", 100 * merge->chance.pixels);
-        attribute_add(list, "magichour.chance_light_percent", "%.3g", 100 * merge->chance.light);
-    }
+    describe_chance(&merge->chance, list);
     if (merge->noise_percent < INFINITY) {
         attribute_add(list, "magichour.error_percent", "%.4g", error_of(merge));
         attribute_add(list, "magichour.noise_percent", "%.4g", merge->noise_percent);
     }
     sun_pixels_describe(merge->sun, merge->width, merge->height, list);
     attribute_add(list, "magichour.rejected", "%" PRIu64, merge->samples.rejected);
-    if (search[0] > 0)
-        attribute_add(list, "magichour.searches",
-                      "%.0f rays, %.2f steps each, %.0f in a field that is no distance, %.0f cut", search[0],
-                      search[1] / search[0], search[2], search[3]);
+    describe_search(&merge->whole.search, list);
     attribute_add(list, "magichour.seconds", "%.6f", sum_of(merge, "magichour.seconds"));
     describe_drivers(merge, list);
     if (!options->final) part_describe(&merge->whole, list);

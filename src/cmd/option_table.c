@@ -127,6 +127,18 @@ const OptionRow option_table[] = {
      NULL},
     {GROUP_OUTPUT, "--with-sun", NULL, C, FLAG(with_sun),
      "compare the pixels of the sun's own image too, which are left out by default", NULL},
+    {GROUP_OUTPUT, "--final", NULL, M, FLAG(final),
+     "leave out the sums that are needed to merge the result with others", NULL},
+    {GROUP_OUTPUT, "--crop", "X,Y,W,H", R, TAKE(take_crop),
+     "render these pixels of the picture alone: W columns from X on, H rows from Y on", NULL},
+    {GROUP_OUTPUT, "--checkpoint", "FILE", R, STRING(checkpoint),
+     "keep a checkpoint in this file, from which --resume goes on; the one before is FILE.old", NULL},
+    {GROUP_OUTPUT, "--checkpoint-every", "SECONDS", R, TAKE(take_checkpoint_seconds),
+     "time between checkpoints; 60 by default", NULL},
+    {GROUP_OUTPUT, "--resume", "FILE", R, STRING(resume),
+     "go on from a checkpoint of the same picture. It may be the file of --checkpoint: where there is none "
+     "yet, the picture begins",
+     NULL},
 
     {GROUP_SKY, "--sun", "EL[,AZ]", R | V | S | H | E, TAKE(take_sun),
      "the sun's elevation and azimuth (from +z toward +x), degrees", NULL},
@@ -205,19 +217,6 @@ const OptionRow option_table[] = {
      "how the orders of scattering beyond the first are computed", NULL},
     {GROUP_METHODS, "--light", "METHOD", R | V | F, STRING(light), "how paths continue after a hit", NULL},
     {GROUP_METHODS, "--sequence", "METHOD", R | V | F, STRING(sequence), "the random numbers", NULL},
-
-    {GROUP_OUTPUT, "--final", NULL, M, FLAG(final),
-     "leave out the sums that are needed to merge the result with others", NULL},
-    {GROUP_OUTPUT, "--crop", "X,Y,W,H", R, TAKE(take_crop),
-     "render these pixels of the picture alone: W columns from X on, H rows from Y on", NULL},
-    {GROUP_OUTPUT, "--checkpoint", "FILE", R, STRING(checkpoint),
-     "keep a checkpoint in this file, from which --resume goes on; the one before is FILE.old", NULL},
-    {GROUP_OUTPUT, "--checkpoint-every", "SECONDS", R, TAKE(take_checkpoint_seconds),
-     "time between checkpoints; 60 by default", NULL},
-    {GROUP_OUTPUT, "--resume", "FILE", R, STRING(resume),
-     "go on from a checkpoint of the same picture. It may be the file of --checkpoint: where there is none "
-     "yet, the picture begins",
-     NULL},
 
     {GROUP_OTHER, "--backend", "NAME", R | I | S | H | E, STRING(backend), "auto, egl, osmesa or glfw", NULL},
     {GROUP_OTHER, "--glsl-dir", "DIR", R | V | I | F | S | H | E, STRING(glsl_dir),

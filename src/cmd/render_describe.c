@@ -55,7 +55,6 @@ bool render_identity(const RenderJob *job, Text *lines, Error *error) {
 static void describe_part(const RenderJob *job, AttributeList *list) {
     const Renderer *renderer = &job->renderer;
     PartPiece piece = {renderer->area, renderer->first_sample, job->adaptive.most};
-    const FilmSearch *search = &job->search;
     Text identity = {0};
     Error error;
     if (!render_is_part(job->options) || !render_identity(job, &identity, &error)) return;
@@ -65,9 +64,9 @@ static void describe_part(const RenderJob *job, AttributeList *list) {
                  .light_first = (double)renderer->light.first,
                  .light_paths = renderer->film.light_paths,
                  .light_scale = renderer->film.light_scale,
-                 .search = {search->rays, search->steps, search->broken, search->cut},
+                 .search = job->search,
                  .layers = part_layers_of(&renderer->film),
-                 .luck = plan_counts_chance(&renderer->plan) || renderer->plan.needs.emits};
+                 .luck = evidence_needs_luck(&renderer->plan)};
     part_describe(&part, list);
     text_free(&identity);
 }
@@ -89,19 +88,10 @@ void render_describe(const RenderJob *job, AttributeList *list) {
     if (job->figures.sun_by_chance) attribute_add(list, "magichour.sun_by_chance", "true");
     if (job->figures.light_paths > 0)
         attribute_add(list, "magichour.light_paths", "%.0f", job->figures.light_paths);
-    if (job->chance.paths > 0) {
-        attribute_add(list, "magichour.chance_paths_percent", "%.3g", 100 * job->chance.paths);
-        attribute_add(list, "magichour.chance_pixels_percent", "%.3g", 100 * job->chance.pixels);
-        attribute_add(list, "magichour.chance_light_percent", "%.3g", 100 * job->chance.light);
-    }
+    describe_chance(&job->chance, list);
     describe_errors(job, list);
     attribute_add(list, "magichour.rejected", "%" PRIu64, job->count.rejected);
-    if (job->search.rays > 0) {
-        attribute_add(list, "magichour.searches",
-                      "%.0f rays, %.2f steps each, %.0f in a field that is no distance, %.0f cut",
-                      job->search.rays, job->search.steps / job->search.rays, job->search.broken,
-                      job->search.cut);
-    }
+    describe_search(&job->search, list);
     attribute_add(list, "magichour.seconds", "%.6f", job->figures.seconds);
     describe_picture(list, &job->scene, &job->renderer, &job->context);
     describe_part(job, list);

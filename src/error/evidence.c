@@ -128,7 +128,14 @@ bool evidence_is_there(const Plan *plan) {
     return !plan->sequence.method->walks_chains;
 }
 
+bool evidence_needs_luck(const Plan *plan) {
+    return plan_counts_chance(plan) || plan->needs.emits;
+}
+
+bool evidence_is_enough(bool luck, uint64_t samples, uint64_t paths) {
+    return samples >= ENOUGH_SAMPLES && (!luck || paths >= ENOUGH_PATHS);
+}
+
 bool evidence_suffices(const Plan *plan, uint64_t samples, uint64_t paths) {
-    bool luck = plan_counts_chance(plan) || plan->needs.emits;
-    return evidence_is_there(plan) && samples >= ENOUGH_SAMPLES && (!luck || paths >= ENOUGH_PATHS);
+    return evidence_is_there(plan) && evidence_is_enough(evidence_needs_luck(plan), samples, paths);
 }

@@ -42,3 +42,7 @@ bool evidence_is_there(const Plan *plan);
  * the plan has light that is found only by luck. Lamps count as such, because a scene need not name them by
  * hints. */
 bool evidence_suffices(const Plan *plan, uint64_t samples, uint64_t paths);
+
+/* The parts of that rule: whether the plan has such light, and how many samples and paths are enough. */
+bool evidence_needs_luck(const Plan *plan);
+bool evidence_is_enough(bool luck, uint64_t samples, uint64_t paths);

@@ -135,7 +135,10 @@ static void join_parts(Merge *merge) {
     for (int i = 0; i < merge->count; i++) {
         const Part *part = &merge->parts[i];
         for (int k = 0; k < part->piece_count; k++) add_piece(whole, &part->pieces[k]);
-        for (int k = 0; k < 4; k++) whole->search[k] += part->search[k];
+        whole->search.rays += part->search.rays;
+        whole->search.steps += part->search.steps;
+        whole->search.broken += part->search.broken;
+        whole->search.cut += part->search.cut;
         whole->light_paths = fmax(whole->light_paths, paths_with(merge, part));
         whole->light_first = fmin(whole->light_first, part->light_first);
         whole->luck |= part->luck;

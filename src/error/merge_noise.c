@@ -9,9 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* As in error/evidence.c. */
-static const double enough_samples = 16, enough_paths = 1 << 20;
-
 /* The area of a part whose pieces all have the same, or an empty one. */
 static Rectangle area_of(const Part *part) {
     Rectangle area = part->pieces[0].area;
@@ -119,15 +116,10 @@ static double mean_of(const Noise *noise, const Image *image) {
     return fmax(sum / (double)(noise->counted * 3), NOISE_LEAST_MEAN);
 }
 
-/* Whether there are samples enough for a figure of the noise, as evidence_suffices() says. */
-static bool suffices(const Merge *merge) {
-    double paths = (double)(merge->samples.accepted + merge->samples.rejected);
-    return (double)merge->most >= enough_samples && (!merge->whole.luck || paths >= enough_paths);
-}
-
 double merge_noise_percent(const MergeNoise *noise, const Merge *merge) {
     double squares = 0, sum = 0, counted = 0;
-    if (noise->mixed || !suffices(merge)) return INFINITY;
+    uint64_t paths = merge->samples.accepted + merge->samples.rejected;
+    if (noise->mixed || !evidence_is_enough(merge->whole.luck, merge->most, paths)) return INFINITY;
     for (int i = 0; i < noise->area_count; i++) {
         const Noise *here = &noise->noises[i];
         double mean = mean_of(here, &merge->image), pixels = (double)here->counted;

@@ -70,8 +70,8 @@ void part_describe(const Part *part, AttributeList *list) {
     attribute_add(list, ATTRIBUTE ".luck", "%d", part->luck);
     attribute_add(list, ATTRIBUTE ".light", "%.17g %.17g %.17g", part->light_first, part->light_paths,
                   part->light_scale);
-    attribute_add(list, ATTRIBUTE ".search", "%.17g %.17g %.17g %.17g", part->search[0], part->search[1],
-                  part->search[2], part->search[3]);
+    attribute_add(list, ATTRIBUTE ".search", "%.17g %.17g %.17g %.17g", part->search.rays, part->search.steps,
+                  part->search.broken, part->search.cut);
     text_free(&pieces);
 }
 
@@ -120,7 +120,8 @@ static bool is_film(const Part *part) {
              light = 1U << PART_LIGHT | 1U << PART_LIGHT_REST, all = part->layers;
     bool numbers = part->light_first >= 0 && part->light_first < 1e300 && part->light_paths >= 0 &&
                    part->light_paths < 1e300 && isfinite(part->light_scale);
-    for (int i = 0; i < 4; i++) numbers &= part->search[i] >= 0 && part->search[i] < 1e300;
+    const double counts[4] = {part->search.rays, part->search.steps, part->search.broken, part->search.cut};
+    for (int i = 0; i < 4; i++) numbers &= counts[i] >= 0 && counts[i] < 1e300;
     return numbers && !(all >> PART_LAYERS) && (all & sums) == sums &&
            ((all & chance) == 0 || (all & chance) == chance) &&
            ((all & light) == 0 || (all & light) == light);
@@ -137,8 +138,8 @@ static bool parse(Part *part) {
     return parse_pieces(part, part_attribute(part, ATTRIBUTE)) && sscanf(bits, "%u", &part->layers) == 1 &&
            sscanf(luck, "%d", &part->luck) == 1 &&
            sscanf(light, "%lf %lf %lf", &part->light_first, &part->light_paths, &part->light_scale) == 3 &&
-           sscanf(search, "%lf %lf %lf %lf", &part->search[0], &part->search[1], &part->search[2],
-                  &part->search[3]) == 4 &&
+           sscanf(search, "%lf %lf %lf %lf", &part->search.rays, &part->search.steps, &part->search.broken,
+                  &part->search.cut) == 4 &&
            is_film(part);
 }
 

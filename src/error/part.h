@@ -36,7 +36,7 @@ typedef struct Part {
     char *identity;
     /* The numbers of the second sum's light paths, and its scale. */
     double light_first, light_paths, light_scale;
-    double search[4];
+    FilmSearch search;
     /* Bits of the layers that it has. */
     unsigned layers;
     /* Whether some of its light is found by few paths only, so that its noise is not known from a few

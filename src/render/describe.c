@@ -57,3 +57,17 @@ void describe_picture(AttributeList *list, const Scene *scene, const Renderer *r
     }
     describe_atmosphere(&scene->values.atmosphere, list);
 }
+
+void describe_chance(const ChanceShares *chance, AttributeList *list) {
+    if (!(chance->paths > 0)) return;
+    attribute_add(list, "magichour.chance_paths_percent", "%.3g", 100 * chance->paths);
+    attribute_add(list, "magichour.chance_pixels_percent", "%.3g", 100 * chance->pixels);
+    attribute_add(list, "magichour.chance_light_percent", "%.3g", 100 * chance->light);
+}
+
+void describe_search(const FilmSearch *search, AttributeList *list) {
+    if (!(search->rays > 0)) return;
+    attribute_add(list, "magichour.searches",
+                  "%.0f rays, %.2f steps each, %.0f in a field that is no distance, %.0f cut", search->rays,
+                  search->steps / search->rays, search->broken, search->cut);
+}

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "image/attribute.h"
+#include "render/chance.h"
 #include "render/renderer.h"
 
 /* Adds a value of one number or three. */
@@ -13,3 +14,7 @@ void describe_atmosphere(const Atmosphere *atmosphere, AttributeList *list);
  * they are not 0. */
 void describe_picture(AttributeList *list, const Scene *scene, const Renderer *renderer,
                       const Context *context);
+
+/* Adds how much light is left to chance, and how rays searched, if there is any of it. */
+void describe_chance(const ChanceShares *chance, AttributeList *list);
+void describe_search(const FilmSearch *search, AttributeList *list);
