@@ -11,6 +11,9 @@ LEFT_OUT := $(if $(filter 0,$(WINDOW)),src/view/% %/context_glfw.c %/cmd_view.c,
 LEFT_OUT += $(if $(filter 0,$(CHART)),src/chart/chart% src/chart/plot% %/cmd_chart.c,%/cmd_chart_none.c)
 LEFT_OUT += $(if $(filter 0,$(ALMANAC)),%/scene/almanac.c tests/test_almanac.c,%/almanac_none.c)
 LEFT_OUT += $(if $(filter 0,$(WINDOW)),tests/test_view.c tests/test_window%) $(if $(filter 0,$(CHART)),tests/test_chart.c)
+# The tests in a browser need a library for JSON. Without it they are skipped, and say so.
+WEB_LIBS := $(shell pkg-config --libs jansson 2>/dev/null)
+LEFT_OUT += $(if $(WEB_LIBS),tests/test_browser_none.c,tests/browser%.c tests/test_browser.c tests/test_web.c)
 
 # pkg-config is slow, so it is asked once. Its answer is empty where a library is missing.
 PKGS := OpenEXR libpng $(if $(filter 0,$(ALMANAC)),,erfa) $(if $(filter 0,$(CHART)),,cairo) $(if $(filter 0,$(WINDOW)),,glfw3 imgui)
@@ -42,13 +45,15 @@ OBJECTS := $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(SOURCES))))
 BASE := $(filter $(BUILD)/src/base/%,$(OBJECTS))
 LIBRARY := $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(LEFT_OUT),$(wildcard tests/test_*.c)))
-SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/test_*.c),$(wildcard tests/*.c)))
+SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(LEFT_OUT) $(wildcard tests/test_*.c),$(wildcard tests/*.c)))
 
 .PHONY: all tests demo test check check-slow check-all torture tests-table lint format deps man install uninstall dist clean compile_commands.json cmocka FORCE
 .SECONDARY:
 
 all: $(BUILD)/magichour
+# What another choice of parts has left would be run, too.
 tests: $(TESTS)
+	@rm -f $(filter-out $(TESTS) %.o %.d,$(wildcard $(BUILD)/tests/test_*))
 
 $(BUILD)/magichour: $(OBJECTS) $(KEEP)
 	@echo link $@
@@ -56,7 +61,7 @@ $(BUILD)/magichour: $(OBJECTS) $(KEEP)
 
 $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(SUPPORT) $(LIBRARY) $(KEEP)
 	@echo link $@
-	@$(CXX) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+	@$(CXX) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka $(WEB_LIBS)
 
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)

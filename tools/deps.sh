@@ -4,7 +4,7 @@
 # is missing and how to install it, and fails. The names are those of Debian 12, Debian 13 and Ubuntu 24.04.
 set -eu
 
-groups="build window chart almanac test window-test lint ci cluster fuzz figures"
+groups="build window chart almanac test window-test web lint ci cluster fuzz figures"
 packages_of() {
     case $1 in
     # The compilers, the libraries of picture formats, and an OpenGL that runs on any machine (Mesa's llvmpipe).
@@ -17,6 +17,8 @@ packages_of() {
     # The test framework, and GLM for the oracle; a display for the windows, and hands for them.
     test) echo libcmocka-dev libglm-dev ;;
     window-test) echo xvfb xauth xdotool ;;
+    # The tests in a browser: the JSON of its debugging protocol. The browser itself is optional.
+    web) echo libjansson-dev ;;
     # What `make lint` asks, and what .ci/run asks besides.
     lint) echo clang-format glslang-tools git shellcheck cppcheck ;;
     ci) echo clang ;;
@@ -29,14 +31,15 @@ packages_of() {
     *) echo "deps: unknown group '$1' (known: $groups)" >&2 && return 2 ;;
     esac
 }
-# Used where the system still has it; without it the other backends do the work.
+# Used where the system still has it. Without OSMesa the other backends do the work; without Chromium its tests are skipped.
+optional_of() { [ "$1" != web ] || echo chromium; }
 optional="libosmesa6"
 
 only_say=""
 if [ "${1-}" = --missing ]; then only_say=yes && shift; fi
 
 needed=""
-for group in "${@:-build}"; do needed="$needed $(packages_of "$group")"; done
+for group in "${@:-build}"; do needed="$needed $(packages_of "$group")" optional="$optional $(optional_of "$group")"; done
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
     echo "deps: this is not Debian or Ubuntu; what is needed has other names here than:$needed" >&2
@@ -71,7 +74,8 @@ if [ "$(id -u)" -ne 0 ]; then
     fi
 fi
 
-available() { apt-cache policy "$1" 2>/dev/null | grep -q 'Candidate: [0-9]'; }
+# Ubuntu's package of a snap holds no program that runs in a container.
+available() { apt-cache policy "$1" 2>/dev/null | grep 'Candidate: [0-9]' | grep -qv snap; }
 unavailable() { for package in "$@"; do available "$package" || return 0; done; return 1; }
 
 if [ -n "$missing" ]; then
