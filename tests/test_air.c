@@ -1,6 +1,8 @@
 /* The atmosphere's air between the surfaces: what its annotation may say, its switch, how it turns light, the
  * light of a way through it, furnaces, and the horizon. */
 #include "base/vec3.h"
+#include "drivers.h"
+#include "mist.h"
 #include "scene/atmosphere.h"
 #include "scene/spectrum.h"
 #include "scene/sun.h"
@@ -13,47 +15,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-/* A grey ball on grey ground; %s are annotations and the albedo. */
-/* The camera before the ball. */
-#define CAMERA "//@ camera eye 0 1.5 -4 target 0 0.5 0 fov 50\n"
-static const char ball[] =
-    "//@ size 64 64\n//@ sun elevation 40 azimuth 60\n%s\n"
-    "#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n#include \"shape/sphere.glsl\"\n"
-    "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
-    "    hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit);\n"
-    "    hit_sphere(ray, vec3(0.0, 0.7, 0.0), 0.7, 1, hit);\n}\n"
-    "Material scene_material(Hit hit) { return matte(vec3(%s)); }\n";
-
-static const char *write_ball(const char *name, const char *annotations, const char *albedo) {
-    char text[4096];
-    snprintf(text, sizeof text, ball, annotations, albedo);
-    return support_write(name, text);
-}
-
-static Image render(const char *environment, const char *scene, const char *arguments) {
-    Image image;
-    Error error;
-    int status = support_run(environment, "render '%s' --quiet %s -o '%s'", scene, arguments,
-                             support_path("picture.pfm"));
-    if (status == STATUS_NO_GL) support_no_gl(support_err);
-    if (status != 0) fail_msg("render %s: %s", arguments, support_err);
-    if (!image_read(&image, support_path("picture.pfm"), &error)) fail_msg("%s", error.text);
-    return image;
-}
-
-/* The means of the channels and, if `error` is not NULL, their standard errors. */
-static void mean_of(const Image *image, double mean[3], double error[3]) {
-    int pixels = image->width * image->height;
-    for (int c = 0; c < 3; c++) mean[c] = 0;
-    for (int i = 0; i < 4 * pixels; i++)
-        if (i % 4 < 3) mean[i % 4] += (double)image->rgba[i] / pixels;
-    for (int c = 0; error && c < 3; c++) {
-        double squares = 0;
-        for (int i = 0; i < pixels; i++) squares += pow((double)image->rgba[4 * i + c] - mean[c], 2);
-        error[c] = sqrt(squares) / pixels;
-    }
-}
 
 static void test_errors(void **state) {
     (void)state;
@@ -69,7 +30,7 @@ static void test_errors(void **state) {
         {"//@ airs on", ":3: unknown annotation 'airs': did you mean air?"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const char *scene = write_ball("wrong.glsl", cases[i].annotation, "0.5");
+        const char *scene = mist_ball("wrong.glsl", cases[i].annotation, "0.5");
         int status = support_run("", "info '%s'", scene);
         if (status != STATUS_SCENE || !strstr(support_err, cases[i].error))
             fail_msg("%s: status %d, \"%s\" lacks \"%s\"", cases[i].annotation, status, support_err,
@@ -92,32 +53,32 @@ static void test_switch(void **state) {
         {"//@ air on\n//@ preset clear air off", "--preset clear", false},
         {"//@ mist extinction 0.1 below 1\n//@ air on", "--set air=off --set mist=off", false},
     };
-    Image clear = render("", write_ball("clear.glsl", "", "0.5"), arguments);
+    Image clear = mist_render("", mist_ball("clear.glsl", "", "0.5"), arguments);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char words[256];
         snprintf(words, sizeof words, "%s %s", arguments, cases[i].way);
-        Image got = render("", write_ball("air.glsl", cases[i].annotations, "0.5"), words);
+        Image got = mist_render("", mist_ball("air.glsl", cases[i].annotations, "0.5"), words);
         bool same = memcmp(got.rgba, clear.rgba, sizeof(float[4 * 24 * 24])) == 0;
         if (same == cases[i].there) fail_msg("%s, %s", cases[i].annotations, cases[i].way);
         image_free(&got);
     }
     image_free(&clear);
-    const char *scene = write_ball("air.glsl", "//@ air on", "0.5"), *none = support_path("none.pfm");
+    const char *scene = mist_ball("air.glsl", "//@ air on", "0.5"), *none = support_path("none.pfm");
     support_expect(STATUS_USAGE, "light paths do not know the air between the surfaces, which",
                    "render '%s' --sun-disk=traced -o '%s'", scene, none);
     assert_int_equal(support_run("", "info '%s'", scene), 0);
     assert_non_null(strstr(support_out, "  air on\n"));
     assert_non_null(strstr(support_out, "--set air=1"));
-    scene = write_ball("both.glsl", "//@ mist extinction 0.1 below 1\n//@ air on", "0.5");
+    scene = mist_ball("both.glsl", "//@ mist extinction 0.1 below 1\n//@ air on", "0.5");
     support_expect(STATUS_SCENE, "both.glsl:4: air and mist (line 3) are not computed together",
                    "render '%s' -o '%s'", scene, none);
     /* Neither is turned on beside the other to see what it is worth. */
-    scene = write_ball("either.glsl",
-                       CAMERA "//@ sky uniform:1\n//@ mist off extinction 0.1 below 1\n//@ air on", "0.5");
+    scene =
+        mist_ball("either.glsl", "//@ sky uniform:1\n//@ mist off extinction 0.1 below 1\n//@ air on", "0.5");
     assert_int_equal(support_run("", "explain '%s' --size 8x8", scene), 0);
     assert_non_null(strstr(support_out, "  mist (the scene's)                       -"));
     support_expect(STATUS_USAGE, "has no setting 'air'", "render '%s' --set air=off -o '%s'",
-                   write_ball("clear.glsl", "", "0.5"), none);
+                   mist_ball("clear.glsl", "", "0.5"), none);
 }
 
 /* The two phase functions together integrate to the scattering that the material has, and samples weigh as
@@ -272,8 +233,8 @@ static void test_wall(void **state) {
         snprintf(arguments, sizeof arguments,
                  "--size 64x64 --spp %d --set atmosphere.orders=1 --set atmosphere.ground_albedo=0",
                  (int)support_samples(64));
-        Image image = render("", support_write("wall.glsl", text), arguments);
-        mean_of(&image, got, error);
+        Image image = mist_render("", support_write("wall.glsl", text), arguments);
+        mist_means(&image, got, error);
         image_free(&image);
         wall_quadrature(&atmosphere, wall, (Laws){0}, wanted);
         wall_quadrature(&atmosphere, wall, (Laws){true, true}, own);
@@ -309,9 +270,9 @@ static void test_furnace(void **state) {
                  "atmosphere.%s",
                  i, (int)support_samples(128), lights[i % 4], airs[i / 4]);
         Image image =
-            render("", write_ball("furnace.glsl", CAMERA "//@ sky uniform:1\n//@ air on", "1.0"), arguments);
+            mist_render("", mist_ball("furnace.glsl", "//@ sky uniform:1\n//@ air on", "1.0"), arguments);
         int pixels = image.width * image.height;
-        mean_of(&image, mean, NULL);
+        mist_means(&image, mean, NULL);
         for (int k = 0; k < 4 * pixels; k++)
             if (k % 4 < 3) squares[k % 4] += pow((double)image.rgba[k] - 1, 2);
         image_free(&image);
@@ -348,7 +309,7 @@ static void test_horizon(void **state) {
         char arguments[128];
         snprintf(arguments, sizeof arguments, "--size 16x64 --spp %d --set sun.elevation=%d",
                  (int)support_samples(1024), elevations[i % 3]);
-        Image image = render("", write_ball("horizon.glsl", annotations, "0.1"), arguments);
+        Image image = mist_render("", mist_ball("horizon.glsl", annotations, "0.1"), arguments);
         for (int k = 0; k < COLUMNS; k++) {
             for (int c = 0; c < 3; c++) {
                 sky[c] += (double)image.rgba[4 * ((ROWS / 2 - 1) * COLUMNS + k) + c] / COLUMNS;
@@ -367,39 +328,21 @@ static void test_horizon(void **state) {
 /* Mesa's two software drivers, as in test_mist_pictures. */
 static void test_drivers(void **state) {
     (void)state;
-    static const char software[] = "GALLIUM_DRIVER=softpipe LIBGL_ALWAYS_SOFTWARE=1";
     static const char *const lights[] = {"cosine", "mis", "control", "portal"};
-    support_run(software, "info");
-    if (!strstr(support_out, "softpipe")) {
-        print_message("no softpipe here\n");
-        skip();
-    }
+    const char *scene = mist_ball("drivers.glsl", "//@ air on\n//@ sun-disk on\n//@ sky uniform:1", "0.5");
+    drivers_need_both();
     for (int l = 0; l < 4; l++) {
         char arguments[256];
-        double sums[2] = {0}, level = 0;
-        int differ = 0;
         snprintf(arguments, sizeof arguments,
                  "--size 16x16 --spp %d --seed 5 --light %s --set atmosphere.rayleigh=300 --set "
                  "atmosphere.mie=300 --set atmosphere.rayleigh_scale_height_m=20 --set "
                  "atmosphere.mie_scale_height_m=10",
                  (int)support_samples(64), lights[l]);
-        const char *scene =
-            write_ball("drivers.glsl", CAMERA "//@ air on\n//@ sun-disk on\n//@ sky uniform:1", "0.5");
-        Image a = render(software, scene, arguments), b = render("", scene, arguments);
-        for (int k = 0; k < 16 * 16; k++) level += fabs((double)a.rgba[4 * k]) / 256;
-        for (int k = 0; k < 16 * 16; k++) {
-            double x = (double)a.rgba[4 * k], y = (double)b.rgba[4 * k];
-            bool same = fabs(x - y) <= 1e-3 * fabs(x) + 1e-5 * level;
-            differ += !same;
-            sums[0] += same ? x : 0;
-            sums[1] += same ? y : 0;
-        }
-        image_free(&a);
-        image_free(&b);
-        print_message("%s: %d pixels differ, the others' bias %.1e\n", lights[l], differ,
-                      sums[1] / sums[0] - 1);
-        assert_true(differ <= 16 * 16 / 32);
-        assert_true(fabs(sums[1] / sums[0] - 1) < 1e-5);
+        DriversDifference drivers = drivers_compare(scene, arguments);
+        print_message("%s: %d values differ, the others' bias %.1e\n", lights[l], drivers.differ,
+                      drivers.bias_of_same);
+        assert_true(drivers.differ <= drivers.values / 32);
+        assert_true(fabs(drivers.bias_of_same) < 1e-5);
     }
 }
 

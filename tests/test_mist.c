@@ -1,4 +1,5 @@
 /* Mist: what its annotation may say, how it turns light, what it lets through, and its switch. */
+#include "mist.h"
 #include "support.h"
 #include "ztest.h"
 
@@ -6,40 +7,12 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A grey ball on grey ground; %s are annotations and the albedo. */
-static const char ball[] =
-    "//@ camera eye 0 1.5 -4 target 0 0.5 0 fov 50\n//@ sun elevation 40 azimuth 60\n%s\n"
-    "uniform float dense; //@ slider 0.2 min 0 max 1\nuniform float wide; //@ slider 3 min -1 max 8\n"
-    "#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n#include \"shape/sphere.glsl\"\n"
-    "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
-    "    hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit);\n"
-    "    hit_sphere(ray, vec3(0.0, 0.7, 0.0), 0.7, 1, hit);\n}\n"
-    "Material scene_material(Hit hit) { return matte(vec3(%s)); }\n";
-
-static const char *write_ball(const char *name, const char *annotations, const char *albedo) {
-    char text[4096];
-    snprintf(text, sizeof text, ball, annotations, albedo);
-    return support_write(name, text);
-}
-
-static Image render(const char *scene, const char *arguments) {
-    Image image;
-    Error error;
-    int status =
-        support_run("", "render '%s' --quiet %s -o '%s'", scene, arguments, support_path("picture.pfm"));
-    if (status == STATUS_NO_GL) support_no_gl(support_err);
-    if (status != 0) fail_msg("render %s: %s", arguments, support_err);
-    if (!image_read(&image, support_path("picture.pfm"), &error)) fail_msg("%s", error.text);
-    return image;
-}
-
 static double mean_of(const char *scene, const char *arguments) {
-    Image image = render(scene, arguments);
-    double mean = 0;
-    int pixels = image.width * image.height;
-    for (int i = 0; i < pixels; i++) mean += (double)image.rgba[4 * i] / pixels;
+    double means[3];
+    Image image = mist_render("", scene, arguments);
+    mist_means(&image, means, NULL);
     image_free(&image);
-    return mean;
+    return means[0];
 }
 
 /* Each fault is told with its line and with what to do. */
@@ -91,7 +64,7 @@ static void test_errors(void **state) {
          ":4: mist is switched by a parameter of its name: uniform 'mist' is declared twice"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const char *scene = write_ball("wrong.glsl", cases[i].annotation, "0.5");
+        const char *scene = mist_ball("wrong.glsl", cases[i].annotation, "0.5");
         int status = support_run("", "info '%s'", scene);
         if (status != STATUS_SCENE || !strstr(support_err, cases[i].error))
             fail_msg("%s: status %d, \"%s\" lacks \"%s\"", cases[i].annotation, status, support_err,
@@ -104,30 +77,30 @@ static void test_errors(void **state) {
 static void test_switch(void **state) {
     (void)state;
     static const char arguments[] = "--size 24x24 --spp 16 --sun-disk";
-    const char *clear = write_ball("clear.glsl", "", "0.5");
+    const char *clear = mist_ball("clear.glsl", "", "0.5");
     const char *misty =
-        write_ball("misty.glsl", "//@ mist extinction dense falloff 2\n//@ preset clear mist off", "0.5");
-    Image wanted = render(clear, arguments);
+        mist_ball("misty.glsl", "//@ mist extinction dense falloff 2\n//@ preset clear mist off", "0.5");
+    Image wanted = mist_render("", clear, arguments);
     static const char *const ways[] = {"--set mist=off", "--preset clear", ""};
     for (int i = 0; i < 3; i++) {
         char words[256];
         snprintf(words, sizeof words, "%s %s", arguments, ways[i]);
-        Image got = render(misty, words);
+        Image got = mist_render("", misty, words);
         bool same = memcmp(got.rgba, wanted.rgba, sizeof(float[4 * 24 * 24])) == 0;
         if (same != (i < 2)) fail_msg("'%s': the picture is %s as without mist", ways[i], same ? "" : "not");
         image_free(&got);
     }
     const char *off =
-        write_ball("off.glsl", "//@ mist off extinction dense falloff 2\n//@ preset foggy mist on", "0.5");
-    const char *on = write_ball("on.glsl", "//@ mist extinction dense falloff 2", "0.5");
+        mist_ball("off.glsl", "//@ mist off extinction dense falloff 2\n//@ preset foggy mist on", "0.5");
+    const char *on = mist_ball("on.glsl", "//@ mist extinction dense falloff 2", "0.5");
     static const char *const switched[][2] = {
         {"", "--set mist=off"}, {"--preset foggy", ""}, {"--set mist=on", ""}};
     for (int i = 0; i < 3; i++) {
         char words[256];
         snprintf(words, sizeof words, "%s %s", arguments, switched[i][0]);
-        Image a = render(off, words);
+        Image a = mist_render("", off, words);
         snprintf(words, sizeof words, "%s %s", arguments, switched[i][1]);
-        Image b = render(on, words);
+        Image b = mist_render("", on, words);
         assert_memory_equal(a.rgba, b.rgba, sizeof(float[4 * 24 * 24]));
         image_free(&a);
         image_free(&b);
@@ -161,7 +134,7 @@ static void test_density(void **state) {
          "scene_mist() leaves the range from 0 to 1 by 1;", 0},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const char *scene = write_ball("density.glsl", cases[i].annotations, "0.5");
+        const char *scene = mist_ball("density.glsl", cases[i].annotations, "0.5");
         int status =
             support_run("", "render '%s' --size 24x24 --spp 2 -o '%s'", scene, support_path("density.pfm"));
         if (status == STATUS_NO_GL) support_no_gl(support_err);
@@ -169,6 +142,46 @@ static void test_density(void **state) {
         if (status != cases[i].status || said != (cases[i].says != NULL))
             fail_msg("%s: status %d, \"%s\"", cases[i].annotations, status, support_err);
     }
+}
+
+/* Tracks that end after their 64 steps are said, with the light that comes through for this. */
+static void test_cut_tracks(void **state) {
+    (void)state;
+    static const struct {
+        const char *mist, *share;
+        bool said;
+    } cases[] = {
+        {"extinction 4 sphere 0 0 0 4", "0.001", false},
+        {"extinction 20 sphere 0 0 0 4", "0.001", true},
+        {"extinction 20 sphere 0 0 0 4", "0.5", false},
+        {"extinction 20 5 0.1 sphere 0 0 0 4", "0.5", true},
+        {"extinction 20 0.1 20 sphere 0 0 0 4", "1.0", true},
+        {"extinction 20 20 15 sphere 0 0 0 4", "1.0", false},
+        {"extinction 0.1 below 1", "0.01", true},
+        {"extinction 0.1 below 1", "0.5", false},
+        {"extinction 20 falloff 0.2", "0.01", true},
+        {"extinction 20 box 0 0 0 0.2 0.2 0.2", "0.01", false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char annotations[256];
+        snprintf(annotations, sizeof annotations, "//@ mist %s\nfloat scene_mist(vec3 p) { return %s; }",
+                 cases[i].mist, cases[i].share);
+        const char *scene = mist_ball("cut.glsl", annotations, "0.5");
+        support_expect(0, "", "render '%s' --size 24x24 --spp 2 -o '%s'", scene, support_path("cut.pfm"));
+        bool said = strstr(support_err, "cut.glsl:3: tracks through mist end after 64 steps: on ") != NULL;
+        if (said != cases[i].said) fail_msg("%s, %s: \"%s\"", cases[i].mist, cases[i].share, support_err);
+    }
+    /* Each way of a depth of 160 is cut. 0.99^64 comes through in place of exp(-1.6): 32 % too much. */
+    const char *scene = mist_ball("known.glsl",
+                                  "//@ mist extinction 20 sphere 0 9 0 4\n"
+                                  "float scene_mist(vec3 p) { return 0.01; }",
+                                  "0.5");
+    support_expect(0, "",
+                   "render '%s' --size 24x24 --spp 2 -o '%s' --set camera.eye=0,9,-9 --set "
+                   "camera.target=0,9,0 --set camera.fov=0.01",
+                   scene, support_path("cut.pfm"));
+    if (!strstr(support_err, "on 100 % of the ways") || !strstr(support_err, " should, 32 % of all."))
+        fail_msg("\"%s\"", support_err);
 }
 
 /* Each phase function integrates to 1, is what its samples weigh, and has the mean cosine that is stated;
@@ -241,20 +254,16 @@ static void test_transmittance(void **state) {
             arguments, sizeof arguments,
             "--size 16x16 --spp 256 --set camera.eye=%s --set camera.target=0,%g,100 --set camera.fov=0.05",
             cases[i].camera, y + 0.1);
-        double mean = mean_of(write_ball("black.glsl", annotation, "0"), arguments),
+        double mean = mean_of(mist_ball("black.glsl", annotation, "0"), arguments),
                wanted = exp(-cases[i].depth);
         print_message("%s from %s: %.4f, wanted %.4f\n", cases[i].mist, cases[i].camera, mean, wanted);
         assert_true(fabs(mean - wanted) <= 5 * sqrt(wanted * (1 - wanted) / (256 * 256)));
     }
 }
 
-/* The mean of each channel. */
 static void means_of(const char *scene, const char *arguments, double mean[3]) {
-    Image image = render(scene, arguments);
-    int pixels = image.width * image.height;
-    for (int c = 0; c < 3; c++) mean[c] = 0;
-    for (int i = 0; i < 4 * pixels; i++)
-        if (i % 4 < 3) mean[i % 4] += (double)image.rgba[i] / pixels;
+    Image image = mist_render("", scene, arguments);
+    mist_means(&image, mean, NULL);
     image_free(&image);
 }
 
@@ -277,7 +286,7 @@ static void test_colour(void **state) {
         char annotation[256];
         double mean[3];
         snprintf(annotation, sizeof annotation, "//@ sky uniform:1\n//@ mist albedo 0 0 0 %s", cases[i].mist);
-        means_of(write_ball("black.glsl", annotation, "0"),
+        means_of(mist_ball("black.glsl", annotation, "0"),
                  "--size 16x16 --spp 256 --set camera.eye=0,5,-10 --set camera.target=0,5.1,100 --set "
                  "camera.fov=0.05",
                  mean);
@@ -301,10 +310,10 @@ static void test_channels(void **state) {
         {"falloff 2\nfloat scene_mist(vec3 p) { return fract(p.x); }", "--light cosine --sun-disk"},
     };
     static const double extinctions[] = {0.05, 0.2, 0.5};
-    const char *one = write_ball("one.glsl", "//@ mist extinction 0.2 below 2", "0.5");
-    Image a = render(one, "--size 24x24 --spp 4");
-    Image b = render(write_ball("three.glsl", "//@ mist extinction 0.2 0.2 0.2 below 2", "0.5"),
-                     "--size 24x24 --spp 4");
+    const char *one = mist_ball("one.glsl", "//@ mist extinction 0.2 below 2", "0.5");
+    Image a = mist_render("", one, "--size 24x24 --spp 4");
+    Image b = mist_render("", mist_ball("three.glsl", "//@ mist extinction 0.2 0.2 0.2 below 2", "0.5"),
+                          "--size 24x24 --spp 4");
     assert_memory_equal(a.rgba, b.rgba, sizeof(float[4 * 24 * 24]));
     image_free(&a);
     image_free(&b);
@@ -317,13 +326,13 @@ static void test_channels(void **state) {
                      "//@ mist g 0.5 albedo 0.9 0.8 0.7 extinction 0.05 0.2 0.5 %s", cases[i][0]);
             snprintf(arguments, sizeof arguments, "--size 24x24 --spp %d --seed %d %s",
                      (int)support_samples(128), seed, cases[i][1]);
-            means_of(write_ball("coloured.glsl", annotation, "0.5"), arguments, coloured);
+            means_of(mist_ball("coloured.glsl", annotation, "0.5"), arguments, coloured);
             for (int c = 0; c < 3; c++) {
                 snprintf(annotation, sizeof annotation, "//@ mist g 0.5 albedo 0.9 0.8 0.7 extinction %g %s",
                          extinctions[c], cases[i][0]);
                 snprintf(arguments, sizeof arguments, "--size 24x24 --spp %d --seed %d %s",
                          (int)support_samples(128), seed + 100, cases[i][1]);
-                means_of(write_ball("grey.glsl", annotation, "0.5"), arguments, grey);
+                means_of(mist_ball("grey.glsl", annotation, "0.5"), arguments, grey);
                 double off = coloured[c] / grey[c] - 1;
                 sum[c] += off / SEEDS;
                 square[c] += off * off / SEEDS;
@@ -344,7 +353,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_errors),   cmocka_unit_test(test_switch),        cmocka_unit_test(test_density),
         cmocka_unit_test(test_phase),    cmocka_unit_test(test_transmittance), cmocka_unit_test(test_colour),
-        cmocka_unit_test(test_channels),
+        cmocka_unit_test(test_channels), cmocka_unit_test(test_cut_tracks),
     };
     return cmocka_run_group_tests_name("mist", tests, support_folder, support_clean);
 }

@@ -103,6 +103,10 @@ float mist_excess(Ray ray, float distance, float u) {
     return 0.0;
 }
 
+float mist_overrun(Ray ray, float distance) {
+    return 0.0;
+}
+
 Material mist_material(vec3 position) {
     return air_material(air_here(), air_densities(air_here(), air_altitude(position)));
 }

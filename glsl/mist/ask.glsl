@@ -59,6 +59,8 @@ MistPoint mist_point(MistWay way, vec3 throughput, float u);
 
 // By how much the scene's own density leaves the range from 0 to 1 at a random place of a ray's first metres; 0 where it does not. u is in [0, 1).
 float mist_excess(Ray ray, float distance, float u);
+// How much of the light of a ray's first metres comes through only because tracks end before the way does, for one track; 0 where all come to their end.
+float mist_overrun(Ray ray, float distance);
 
 // What a path meets there.
 Material mist_material(vec3 position);

@@ -26,3 +26,7 @@ MistPoint mist_point(MistWay way, vec3 throughput, float u) {
 float mist_excess(Ray ray, float distance, float u) {
     return 0.0;
 }
+
+float mist_overrun(Ray ray, float distance) {
+    return 0.0;
+}

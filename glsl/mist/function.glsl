@@ -6,48 +6,38 @@
 #include "mist/function_density.glsl"
 #include "mist/material.glsl"
 
-// A track through the first `depth` of a way: the share of the light that comes through, and the first real scattering, in metres along the ray.
-struct MistTrack {
-    float kept;
-    float event;
-};
-
-MistTrack mist_walk(MistWay way, float depth, uint number) {
-    MistTrack track = MistTrack(1.0, INFINITY);
-    float passed = 0.0;
-    int steps = 0;
-    bool inside = true;
-    while (inside && steps < MIST_STEPS) {
-        uvec3 bits = hash_3(uvec3(mist_seed, number, uint(steps)));
-        passed += depth_taking(unit_float(bits.x));
-        inside = passed < depth;
-        if (inside) {
-            float t = way.begin + min(mist_reached(way, passed), way.metres);
-            float share = clamp(mist_density(way.ray, t), 0.0, 1.0);
-            bool first = track.event >= INFINITY && unit_float(bits.y) < share;
-            track.event = first ? t : track.event;
-            track.kept *= 1.0 - share;
-        }
-        steps += 1;
-    }
-    return track;
-}
-
 vec3 mist_kept(MistWay way) {
     mist_track += 1u;
-    return vec3(mist_walk(way, way.depth, mist_track).kept);
+    float kept = 1.0;
+    MistStep at = mist_step_first(way, mist_track);
+    while (at.inside && kept > 0.0) {
+        kept *= 1.0 - mist_step_share(way, at);
+        at = mist_step_next(way, at);
+    }
+    return vec3(kept);
 }
 
 // The numbers are the path's own, so that u has no use.
 MistEvent mist_event(MistWay way, vec3 throughput, float u) {
-    return MistEvent(mist_walk(way, way.depth, 0u).event, vec3(1.0));
+    float t = INFINITY;
+    MistStep at = mist_step_first(way, 0u);
+    while (at.inside && t >= INFINITY) {
+        t = at.chance < mist_step_share(way, at) ? mist_step_place(way, at) : t;
+        at = mist_step_next(way, at);
+    }
+    return MistEvent(t, vec3(1.0));
 }
 
-// The place is drawn as if the mist were that of the annotation. The weight makes up for it.
+// A track's steps take away its light: each the share scene_mist() of what the steps before have left. One of them is taken in proportion to that, and it stands
+// for all that the track takes away. Most tracks through thin mist have no step. So the first step is drawn as if there were one, and the weight makes up for it.
 MistPoint mist_point(MistWay way, vec3 throughput, float u) {
-    float taken = share_taken(way.depth);
-    float depth = min(depth_taking(u * taken), way.depth);
-    float t = way.begin + min(mist_reached(way, depth), way.metres);
-    float share = clamp(mist_density(way.ray, t), 0.0, 1.0);
-    return MistPoint(t, vec3(taken * share * exp(depth) * mist_walk(way, depth, 1u).kept));
+    float forced = share_taken(way.depth), kept = 1.0, t = way.begin;
+    MistStep at = mist_step_forced(way, 1u, u * forced);
+    while (at.inside && kept > 0.0) {
+        float lost = kept * mist_step_share(way, at);
+        kept -= lost;
+        t = at.chance * (1.0 - kept) < lost ? mist_step_place(way, at) : t;
+        at = mist_step_next(way, at);
+    }
+    return MistPoint(t, vec3(forced * (1.0 - kept)));
 }

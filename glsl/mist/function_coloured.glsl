@@ -6,55 +6,49 @@
 #include "mist/function_density.glsl"
 #include "mist/material.glsl"
 
-// What a channel keeps on the whole way, what it has lost at the first real scattering, and where that is; with INFINITY the second is what it keeps, too.
-struct MistTrack {
-    vec3 kept;
-    vec3 weight;
-    float event;
-};
-
-MistTrack mist_walk(MistWay way, float depth, uint number, vec3 chosen) {
-    MistTrack track = MistTrack(vec3(1.0), vec3(1.0), INFINITY);
-    float passed = 0.0;
-    int steps = 0;
-    bool inside = true;
-    while (inside && steps < MIST_STEPS) {
-        uvec3 bits = hash_3(uvec3(mist_seed, number, uint(steps)));
-        passed += depth_taking(unit_float(bits.x));
-        inside = passed < depth;
-        if (inside) {
-            float t = way.begin + min(mist_reached(way, passed), way.metres);
-            vec3 share = clamp(mist_density(way.ray, t), 0.0, 1.0) * mist_tint();
-            bool waits = track.event >= INFINITY;
-            bool first = waits && unit_float(bits.y) < dot(share, chosen);
-            track.event = first ? t : track.event;
-            track.weight = first ? track.weight * share : waits ? track.weight * (1.0 - share) : track.weight;
-            track.kept *= 1.0 - share;
-        }
-        steps += 1;
-    }
-    return track;
-}
-
 vec3 mist_kept(MistWay way) {
     mist_track += 1u;
-    return mist_walk(way, way.depth, mist_track, vec3(0.0)).kept;
+    vec3 kept = vec3(1.0);
+    MistStep at = mist_step_first(way, mist_track);
+    while (at.inside) {
+        kept *= 1.0 - mist_step_share(way, at) * mist_tint();
+        at = mist_step_next(way, at);
+    }
+    return kept;
 }
 
 // The place's number is the path's own. u takes the channel.
 MistEvent mist_event(MistWay way, vec3 throughput, float u) {
     vec3 odds = channels_odds(throughput);
-    MistTrack track = mist_walk(way, way.depth, 0u, vec3(channels_choice(odds, u)));
-    return MistEvent(track.event, track.weight / max(dot(odds, track.weight), 1.0e-30));
+    vec3 chosen = vec3(channels_choice(odds, u));
+    vec3 weight = vec3(1.0);
+    float t = INFINITY;
+    MistStep at = mist_step_first(way, 0u);
+    while (at.inside && t >= INFINITY) {
+        vec3 share = mist_step_share(way, at) * mist_tint();
+        bool real = at.chance < dot(share, chosen);
+        t = real ? mist_step_place(way, at) : t;
+        weight *= real ? share : 1.0 - share;
+        at = mist_step_next(way, at);
+    }
+    return MistEvent(t, weight / max(dot(odds, weight), 1.0e-30));
 }
 
-// The place is drawn as if the mist were that of the annotation. The weight makes up for it.
+// As in function.glsl, with the odds' mean of what the channels lose.
 MistPoint mist_point(MistWay way, vec3 throughput, float u) {
     vec3 odds = channels_odds(throughput);
-    vec3 depths = way.depth * mist_tint();
-    float share = channels_point(depths, odds, u);
-    float t = way.begin + min(mist_reached(way, share * way.depth), way.metres);
-    float density = clamp(mist_density(way.ray, t), 0.0, 1.0);
-    vec3 kept = mist_walk(way, share * way.depth, 1u, vec3(0.0)).kept;
-    return MistPoint(t, depths * density * kept / channels_point_pdf(depths, odds, share));
+    vec3 kept = vec3(1.0), weight = vec3(0.0);
+    float forced = share_taken(way.depth), taken = 0.0, t = way.begin;
+    MistStep at = mist_step_forced(way, 1u, u * forced);
+    while (at.inside) {
+        vec3 lost = kept * mist_step_share(way, at) * mist_tint();
+        float mean = dot(odds, lost);
+        taken += mean;
+        bool here = at.chance * taken < mean;
+        t = here ? mist_step_place(way, at) : t;
+        weight = here ? lost / mean : weight;
+        kept -= lost;
+        at = mist_step_next(way, at);
+    }
+    return MistPoint(t, forced * taken * weight);
 }

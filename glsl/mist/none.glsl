@@ -29,6 +29,10 @@ float mist_excess(Ray ray, float distance, float u) {
     return 0.0;
 }
 
+float mist_overrun(Ray ray, float distance) {
+    return 0.0;
+}
+
 Material mist_material(vec3 position) {
     return material_new(-1, vec3(0.0));
 }

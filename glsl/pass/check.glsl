@@ -12,6 +12,7 @@
 #include "light/lambert.glsl"
 #include "light/surface.glsl"
 #include "pass/camera.glsl"
+#include "pass/sun.glsl"
 
 uniform uint check_paths;
 uniform int check_hits;
@@ -24,6 +25,8 @@ layout(location = 0) out vec4 check_values;
 layout(location = 1) out vec4 check_objects;
 layout(location = 2) out vec4 check_values_more;
 layout(location = 3) out vec4 check_objects_more;
+// Of the ways through mist: how many were followed; the light that comes through them too much, over all; and on how many of them it does.
+layout(location = 4) out vec4 check_tracks;
 
 void check_hit(Hit reported, Material material, bool first) {
     float object = float(reported.object);
@@ -43,11 +46,29 @@ void check_hit(Hit reported, Material material, bool first) {
     check_objects_more = mix(check_objects_more, vec4(object), more_worse);
 }
 
+void check_way(Ray ray, float distance) {
+    bool there = mist_way(ray, distance).depth > 0.0;
+    float excess = mist_overrun(ray, distance);
+    check_tracks += there ? vec4(1.0, excess, excess > 0.0 ? 1.0 : 0.0, 0.0) : vec4(0.0);
+}
+
+// The mist on a ray of the path, and on the ray to the sun from its end.
+void check_mist(Ray ray, Hit reported, INOUT(Sequence) sequence) {
+    mist_begin(sequence_pair(sequence));
+    check_values_more.w = max(check_values_more.w, mist_excess(ray, reported.t, sequence_pair(sequence).x));
+    check_way(ray, reported.t);
+    if (reported.t < INFINITY) {
+        Ray sunward = ray_from(surface_faced(reported, ray), sun_direction);
+        check_way(sunward, surface_reported(sunward).t);
+    }
+}
+
 void main() {
     check_values = vec4(1.0, 0.0, 1.0, 0.0);
     check_objects = vec4(0.0);
     check_values_more = vec4(0.0, 1.0, 1.0, 0.0);
     check_objects_more = vec4(0.0);
+    check_tracks = vec4(0.0);
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     uint i = 0u;
     do {
@@ -58,7 +79,7 @@ void main() {
         do {
             Hit reported = surface_reported(ray);
             alive = reported.t < INFINITY;
-            if (mist_here()) check_values_more.w = max(check_values_more.w, mist_excess(ray, reported.t, sequence_pair(sequence).x));
+            if (mist_here()) check_mist(ray, reported, sequence);
             if (alive) {
                 Hit hit = surface_faced(reported, ray);
                 vec2 u = sequence_pair(sequence);

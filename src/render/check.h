@@ -2,7 +2,8 @@
  * length, albedos and roughnesses that are not from 0 to 1, indices of refraction that are not above 0,
  * densities of mist that are not from 0 to 1.
  * Pictures are made with values that are put right (glsl/light/surface.glsl), and whoever renders one says
- * so. Scenes that are too far from the origin are noticed as well. */
+ * so. Tracks through mist that end before their way does are counted. Scenes that are too far from the origin
+ * are noticed as well. */
 #pragma once
 
 #include "render/aov.h"
@@ -19,6 +20,11 @@ typedef struct Check {
     /* Whether it was made at all. If not, nothing is found. */
     bool done;
     CheckValue worst[CHECK_KINDS];
+    /* Of the ways through mist of scene_mist() on these paths, and of those from their hits to the sun: the
+     * share whose track ends too early, and the share of the light that comes through for this alone. */
+    double tracks_cut, track_light;
+    /* The line of the mist's annotation. */
+    int mist_line;
 } Check;
 
 /* Follows a few paths for each pixel of a coarse picture with the same view, which takes some milliseconds
