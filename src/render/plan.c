@@ -25,7 +25,8 @@ enum {
      * notices and counts rays that exceed all loops together. */
     MARCH_ITERATIONS = 200,
     SPHERES_ITERATIONS = 200,
-    /* Of one track through mist whose density the scene defines: MIST_STEPS (glsl/mist/function_density.glsl). */
+    /* Of one track through mist whose density the scene defines: MIST_STEPS
+       (glsl/mist/function_density.glsl). */
     MIST_ITERATIONS = 64
 };
 
