@@ -41,7 +41,7 @@ LDFLAGS += $(if $(KEEP),-rdynamic)
 LDLIBS := $(PKG_LIBS) -ldl -lm
 
 SOURCES := $(filter-out $(LEFT_OUT),$(sort $(wildcard src/*.c src/*/*.c src/*/*.cpp)))
-OBJECTS := $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(SOURCES))))
+OBJECTS := $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(SOURCES)))) $(BUILD)/src/export/embedded.o
 BASE := $(filter $(BUILD)/src/base/%,$(OBJECTS))
 LIBRARY := $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(LEFT_OUT),$(wildcard tests/test_*.c)))
@@ -71,6 +71,16 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 $(TESTS:=.o): | cmocka
 cmocka:
 	@pkg-config --exists cmocka || tools/deps.sh --missing $(TEST_NEEDS)
+
+# The files that stand in every page that is exported, as strings (src/export/embedded.h).
+$(BUILD)/src/export/embedded.c: src/export/page.html src/export/page.css src/export/page.js
+	@mkdir -p $(@D)
+	@{ echo '#include "export/embedded.h"'; for file in $^; do \
+	    echo "const char embedded_$$(basename $$file | tr . _)[] = {"; od -An -v -td1 $$file | sed 's/\([0-9]\)\( \|$$\)/\1,/g'; echo "0};"; done; } > $@
+
+$(BUILD)/src/export/embedded.o: $(BUILD)/src/export/embedded.c $(BUILD)/flags
+	@echo compile $<
+	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
 
 # The window's overlay and the reader of lossy EXR files are the host's parts in C++.
 $(BUILD)/src/%.o: src/%.cpp $(BUILD)/flags

@@ -46,6 +46,8 @@ static Status run(const Options *options, int argc, char **argv, Error *error) {
         return cmd_compare(options, error);
     case COMMAND_INFO:
         return cmd_info(options, error);
+    case COMMAND_EXPORT:
+        return cmd_export(options, error);
     case COMMAND_FLATTEN:
         return cmd_flatten(options, error);
     case COMMAND_SKY:

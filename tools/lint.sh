@@ -79,7 +79,7 @@ circles() {
 }
 
 check_layers() {
-    layered src "base image source scene gl choice sky render error view chart cmd" $(git ls-files 'src/*.[ch]' 'src/*.[ch]pp')
+    layered src "base image source scene gl choice sky render error view chart export cmd" $(git ls-files 'src/*.[ch]' 'src/*.[ch]pp')
 }
 
 check_circles() {

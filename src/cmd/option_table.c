@@ -22,6 +22,8 @@ const CommandRow command_table[] = {
      "pictures of other samples or other pixels of the same picture become one", 1, MOST_INPUTS},
     {COMMAND_SWEEP, "sweep", "sweep SCENE -o DIR [options] [-- options of render]",
      "the list of jobs of a time-lapse: a render for each place of the sun", 1, MOST_INPUTS},
+    {COMMAND_EXPORT, "export", "export SCENE -o FILE.html [options]",
+     "a page that draws the scene in any browser", 1, 1},
     {COMMAND_HELP, "help", "help [COMMAND]", "the commands, or a command's options", 0, 1},
     {COMMAND_VERSION, "version", "version", "the program's version", 0, 0},
 };
@@ -41,7 +43,8 @@ enum {
     E = COMMAND_EXPLAIN,
     M = COMMAND_MERGE,
     W = COMMAND_SWEEP,
-    ALL = R | M | W | V | C | I | F | S | H | E | COMMAND_HELP | COMMAND_VERSION
+    X = COMMAND_EXPORT,
+    ALL = R | X | M | W | V | C | I | F | S | H | E | COMMAND_HELP | COMMAND_VERSION
 };
 
 /* These are a row's kind, function, offset and words. */
@@ -69,6 +72,7 @@ const OptionRow option_table[] = {
      "write A, B and the difference beside each other: .png", NULL},
     {GROUP_OUTPUT, "-o", "DIR", W, TAKE(take_output),
      "the folder for the frames and for `jobs`, the list of their renders; made if need be", "--output"},
+    {GROUP_OUTPUT, "-o", "FILE.html", X, TAKE(take_output), "the page", "--output"},
     {GROUP_OUTPUT, "--frames", "N", W, TAKE(take_frames), "so many frames; 100 by default", NULL},
     {GROUP_OUTPUT, "--fps", "F", W, TAKE(take_frame_rate), "frames a second of the film; 25 by default",
      NULL},
@@ -76,7 +80,7 @@ const OptionRow option_table[] = {
      "the folder for CSV, SVG, PNG and the reference; made if need be", "--output"},
     {GROUP_OUTPUT, "--size", "WxH", H, TAKE(take_size), "picture size in pixels; 256x256 by default", NULL},
     {GROUP_OUTPUT, "--size", "WxH", E, TAKE(take_size), "picture size in pixels; 128x128 by default", NULL},
-    {GROUP_OUTPUT, "--size", "WxH", R | V | S, TAKE(take_size),
+    {GROUP_OUTPUT, "--size", "WxH", R | V | S | X, TAKE(take_size),
      "picture size in pixels; the scene's by default", NULL},
     {GROUP_OUTPUT, "--exposure", "EV", R | V | S, TAKE(take_exposure),
      "for .png: radiance times 2^EV; the scene's by default", NULL},
@@ -140,7 +144,7 @@ const OptionRow option_table[] = {
      "yet, the picture begins",
      NULL},
 
-    {GROUP_SKY, "--sun", "EL[,AZ]", R | V | S | H | E, TAKE(take_sun),
+    {GROUP_SKY, "--sun", "EL[,AZ]", R | V | S | H | E | X, TAKE(take_sun),
      "the sun's elevation and azimuth (from +z toward +x), degrees", NULL},
     {GROUP_SKY, "--sun", "FROM..TO", W, STRING(sun_range),
      "the sun's elevation, or elevation and azimuth (EL,AZ..EL,AZ), in the first and the last frame, degrees",
@@ -157,18 +161,18 @@ const OptionRow option_table[] = {
      "the place: degrees north, degrees east and metres of height. +z is north, or sun.north says where "
      "north is",
      NULL},
-    {GROUP_SKY, "--sun-disk", "[=METHOD]", R | V | F | S | H | E, SWITCH(sun_disk),
+    {GROUP_SKY, "--sun-disk", "[=METHOD]", R | V | F | S | H | E | X, SWITCH(sun_disk),
      "show the sun's disk, 0.2666 degrees in radius: on, off or a method; on if it has no word; the scene's "
      "by "
      "default",
      NULL},
-    {GROUP_SKY, "--atmosphere", "NAME", R | V | S | F | H | E | I, STRING(atmosphere),
+    {GROUP_SKY, "--atmosphere", "NAME", R | V | S | F | H | E | I | X, STRING(atmosphere),
      "a preset of the atmosphere (see info)", NULL},
-    {GROUP_SKY, "--orders", "N", R | V | S | F | H | E, STRING(orders),
+    {GROUP_SKY, "--orders", "N", R | V | S | F | H | E | X, STRING(orders),
      "light that was scattered N times at most is seen, or `all`; short for --set atmosphere.orders=N", NULL},
-    {GROUP_SKY, "--preset", "NAME", R | V | F | H | E | I, STRING(preset), "one of the scene's presets",
+    {GROUP_SKY, "--preset", "NAME", R | V | F | H | E | I | X, STRING(preset), "one of the scene's presets",
      NULL},
-    {GROUP_SKY, "--set", "NAME=VALUE", R | V | S | F | I | H | E, TAKE(take_setting),
+    {GROUP_SKY, "--set", "NAME=VALUE", R | V | S | F | I | H | E | X, TAKE(take_setting),
      "a scene's parameter, sun.elevation, atmosphere.mie_g, ...; may be repeated", NULL},
 
     {GROUP_ACCURACY, "--error", "PERCENT|Nlevels", R, TAKE(take_error),
@@ -198,9 +202,9 @@ const OptionRow option_table[] = {
      NULL},
     {GROUP_ACCURACY, "--of", "N", R, TAKE(take_of),
      "for --first-sample: the samples of the whole picture, by which `auto` chooses as one run would", NULL},
-    {GROUP_ACCURACY, "--seed", "N", R | V, TAKE(take_seed), "the seed of all random numbers; 0 by default",
-     NULL},
-    {GROUP_ACCURACY, "--depth", "N", R | V | H | E, TAKE(take_depth),
+    {GROUP_ACCURACY, "--seed", "N", R | V | X, TAKE(take_seed),
+     "the seed of all random numbers; 0 by default", NULL},
+    {GROUP_ACCURACY, "--depth", "N", R | V | H | E | X, TAKE(take_depth),
      "at most N surface hits; 0, the default, is unlimited", NULL},
     {GROUP_ACCURACY, "--max-relrmse", "PERCENT", C, TAKE(take_max_relrmse),
      "exit with 6 if the relRMSE is above this", NULL},
@@ -211,17 +215,18 @@ const OptionRow option_table[] = {
     {GROUP_ACCURACY, "--se", "FILE", C, STRING(standard_error),
      "standard errors of the difference: prints mean z^2 and the share of |z| > 4", NULL},
 
-    {GROUP_METHODS, "--sky", "METHOD", R | V | F | S, STRING(sky), "how the sky's radiance is computed",
+    {GROUP_METHODS, "--sky", "METHOD", R | V | F | S | X, STRING(sky), "how the sky's radiance is computed",
      NULL},
-    {GROUP_METHODS, "--further", "METHOD", R | V | F | S | H | E, STRING(further),
+    {GROUP_METHODS, "--further", "METHOD", R | V | F | S | H | E | X, STRING(further),
      "how the orders of scattering beyond the first are computed", NULL},
-    {GROUP_METHODS, "--light", "METHOD", R | V | F, STRING(light), "how paths continue after a hit", NULL},
-    {GROUP_METHODS, "--sequence", "METHOD", R | V | F, STRING(sequence), "the random numbers", NULL},
+    {GROUP_METHODS, "--light", "METHOD", R | V | F | X, STRING(light), "how paths continue after a hit",
+     NULL},
+    {GROUP_METHODS, "--sequence", "METHOD", R | V | F | X, STRING(sequence), "the random numbers", NULL},
 
     {GROUP_OTHER, "--backend", "NAME", R | I | S | H | E, STRING(backend), "auto, egl, osmesa or glfw", NULL},
-    {GROUP_OTHER, "--glsl-dir", "DIR", R | V | I | F | S | H | E, STRING(glsl_dir),
+    {GROUP_OTHER, "--glsl-dir", "DIR", R | V | I | F | S | H | E | X, STRING(glsl_dir),
      "the GLSL library, in place of the one beside the program", NULL},
-    {GROUP_OTHER, "--allow-includes", "DIR", R | V | I | F | H | E, TAKE(take_allowed),
+    {GROUP_OTHER, "--allow-includes", "DIR", R | V | I | F | H | E | X, TAKE(take_allowed),
      "let the scene read the files of this folder, besides those of its own and of the library; may be "
      "repeated",
      NULL},

@@ -20,7 +20,8 @@ typedef enum Command {
     COMMAND_HELP = 1 << 8,
     COMMAND_VERSION = 1 << 9,
     COMMAND_MERGE = 1 << 10,
-    COMMAND_SWEEP = 1 << 11
+    COMMAND_SWEEP = 1 << 11,
+    COMMAND_EXPORT = 1 << 12
 } Command;
 
 /* Files that a command may take: `merge` takes so many. */

@@ -101,8 +101,8 @@ bool pass_text(const Pass *pass, const Plan *plan, const RenderParams *params, G
     slot_file(&slots, "light", plan->light.method->file);
     slot_file(&slots, "scatter", params->variance ? "pass/scatter.glsl" : "pass/scatter_none.glsl");
     slot_file(&slots, "rejects", params->rejects ? "pass/rejects.glsl" : "pass/rejects_none.glsl");
-    slot_file(&slots, "search", plan->needs.search ? "pass/search.glsl" : "pass/search_none.glsl");
-    slot_file(&slots, "loops", plan->needs.search ? "pass/loops.glsl" : "pass/loops_none.glsl");
+    slot_file(&slots, "search", plan_counts_searches(plan) ? "pass/search.glsl" : "pass/search_none.glsl");
+    slot_file(&slots, "loops", plan_counts_searches(plan) ? "pass/loops.glsl" : "pass/loops_none.glsl");
     slot_file(&slots, "chance", plan_counts_chance(plan) ? "pass/chance.glsl" : "pass/chance_none.glsl");
     bool ok = glsl_source_create(source, params->scene->file->sources, pass->entry, slots.slots, error);
     slot_list_free(&slots);

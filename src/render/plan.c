@@ -240,8 +240,12 @@ static SceneNeeds needs_of(const Scene *scene) {
 
 bool plan_counts_chance(const Plan *plan) {
     const Method *sun = plan->sun.method;
-    return !plan->sequence.method->walks_chains && sun->has_disk &&
+    return !plan->uncounted && !plan->sequence.method->walks_chains && sun->has_disk &&
            (plan->needs.throws || !sun->samples_disk);
+}
+
+bool plan_counts_searches(const Plan *plan) {
+    return plan->needs.search && !plan->uncounted;
 }
 
 /* Both would scatter on the same way, with different coefficients and phase functions. */

@@ -88,6 +88,9 @@ typedef struct Plan {
     bool air;
     /* Whether the sky has light beyond the first order of the air, and whether it has further orders. */
     bool has_further, has_orders;
+    /* Whether the film has nothing but the sum of the samples: neither searches nor the light that is left to
+     * chance are counted. */
+    bool uncounted;
 } Plan;
 
 /* Makes the plan. `context` is where the picture will be drawn, and its limit of loops may be measured there;
@@ -100,6 +103,9 @@ MUST_CHECK bool plan_choose(Plan *plan, const RenderParams *params, const Contex
 
 /* Whether the film counts the light that is left to chance (FILM_CHANCE). Chains find it by other odds. */
 bool plan_counts_chance(const Plan *plan);
+
+/* Whether the film counts rays that search by steps (FILM_SEARCH). */
+bool plan_counts_searches(const Plan *plan);
 
 /* Whether both plans have the same programs, for the same scene file and film. */
 bool plan_same_programs(const Plan *a, const Plan *b);

@@ -111,7 +111,7 @@ static unsigned film_parts(const Renderer *renderer) {
     const Plan *plan = &renderer->plan;
     bool chains = plan->sequence.method->walks_chains;
     return (renderer->variance ? FILM_SCATTER : 0U) | (renderer->rejects && !chains ? FILM_REJECTS : 0U) |
-           (plan->needs.search && !chains ? FILM_SEARCH : 0U) |
+           (plan_counts_searches(plan) && !chains ? FILM_SEARCH : 0U) |
            (plan_counts_chance(plan) ? FILM_CHANCE : 0U) |
            (plan->sun.method->traces_light || chains ? FILM_LIGHT : 0U);
 }

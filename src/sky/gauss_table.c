@@ -3,6 +3,7 @@
 #include "base/vec3.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 /* Legendre's polynomials of degrees 0 to n at x; p[n + 1] is one degree more. */
 static void legendre(int n, double x, double *p) {
@@ -13,7 +14,7 @@ static void legendre(int n, double x, double *p) {
 
 /* The i-th root of P_n on (-1,1), in ascending order, by Newton's method from Tricomi's start. `slope` is
  * P_n' at the root. */
-static double legendre_root(int n, int i, double *slope) {
+static double find_root(int n, int i, double *slope) {
     double p[GAUSS_MOST_NODES + 2], x = -cos(pi * (i + 0.75) / (n + 0.5));
     for (int step = 0; step < 20; step++) {
         legendre(n, x, p);
@@ -21,6 +22,20 @@ static double legendre_root(int n, int i, double *slope) {
         x -= p[n] / *slope;
     }
     return x;
+}
+
+/* The same. What was found is kept, because tables ask for the same few roots again and again. */
+static double legendre_root(int n, int i, double *slope) {
+    static _Thread_local struct {
+        bool known;
+        double x, slope;
+    } kept[GAUSS_MOST_NODES + 1][GAUSS_MOST_NODES];
+    if (!kept[n][i].known) {
+        kept[n][i].x = find_root(n, i, &kept[n][i].slope);
+        kept[n][i].known = true;
+    }
+    *slope = kept[n][i].slope;
+    return kept[n][i].x;
 }
 
 void gauss_nodes(int count, double *nodes, double *weights) {

@@ -1,0 +1,82 @@
+#include "base/file.h"
+#include "base/memory.h"
+#include "cmd/cmd.h"
+#include "cmd/setup.h"
+#include "export/page.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The command that renders the scene with the options that hold for all its presets. */
+static void write_command(const Options *options, const Scene *scene, Text *command) {
+    text_print(command, "magichour render ");
+    if (*scene->file->path == '-') text_print(command, "./");
+    text_print_quoted(command, scene->file->path);
+    if (options->atmosphere) text_print(command, " --atmosphere %s", options->atmosphere);
+    if (options->orders) text_print(command, " --orders %s", options->orders);
+    for (int i = 0; i < options->setting_count; i++) {
+        text_print(command, " --set ");
+        text_print_quoted(command, options->settings[i]);
+    }
+    if (!options->preset) return;
+    text_print(command, " --preset ");
+    text_print_quoted(command, options->preset);
+}
+
+/* Reads the scene once for the first state and once for each preset, whose sun is then the preset's own. */
+static bool read_states(const Options *options, const char *library, PageState **states, int *count,
+                        Error *error) {
+    *states = memory_get(1, sizeof **states);
+    **states = (PageState){.name = ""};
+    if (!setup_scene(options, library, &(*states)->scene, error)) return false;
+    const SceneFile *file = (*states)->scene.file;
+    *states = memory_grow(*states, (size_t)file->preset_count + 1, sizeof **states);
+    for (*count = 1; *count <= file->preset_count; ++*count) {
+        Options other = *options;
+        PageState *state = *states + *count;
+        other.preset = file->presets[*count - 1].name;
+        other.has_sun = false;
+        other.when = other.where = NULL;
+        *state = (PageState){.name = other.preset};
+        if (!setup_scene(&other, library, &state->scene, error)) return false;
+    }
+    return true;
+}
+
+static bool write_page(const Options *options, const PageState *states, int count, Error *error) {
+    Text html = {0}, command = {0};
+    write_command(options, &states[0].scene, &command);
+    const PageParams params = {.states = states,
+                               .count = count,
+                               .render = {.scene = &states[0].scene,
+                                          .sky = options->sky,
+                                          .light = options->light,
+                                          .sequence = options->sequence,
+                                          .further = options->further,
+                                          .sun_disk = options->sun_disk,
+                                          .width = options->width,
+                                          .height = options->height,
+                                          .seed = options->seed,
+                                          .max_hits = options->depth},
+                               .command = text_string(&command)};
+    bool ok =
+        page_write(&params, &html, error) && file_replace(options->outputs[0], html.data, html.size, error);
+    text_free(&html);
+    text_free(&command);
+    return ok;
+}
+
+Status cmd_export(const Options *options, Error *error) {
+    char *library = NULL;
+    PageState *states = NULL;
+    int count = 0;
+    if (options->output_count != 1)
+        return error_set(error, STATUS_USAGE, "where to? (-o FILE.html, once)"), error->status;
+    bool ok = file_check_target(options->outputs[0], error) && setup_library(options, &library, error) &&
+              read_states(options, library, &states, &count, error) &&
+              write_page(options, states, count, error);
+    for (int i = 0; i < count; i++) scene_destroy(&states[i].scene);
+    free(states);
+    free(library);
+    return ok ? STATUS_DONE : error->status;
+}

@@ -1,0 +1,54 @@
+#include "export/es.h"
+
+#include "source/glsl_blocks.h"
+
+#include <ctype.h>
+#include <string.h>
+
+/* In a fragment shader of ES floats have no precision of their own, integers may have 16 bits, and what is
+ * read from a texture may have fewer still. */
+static const char head[] = "#version 300 es\n"
+                           "precision highp float;\n"
+                           "precision highp int;\n"
+                           "precision highp sampler2D;\n";
+
+static void write_line(const char *line, size_t length, Text *out) {
+    while (length && isspace((unsigned char)*line)) line++, length--;
+    while (length && isspace((unsigned char)line[length - 1])) length--;
+    if (!length) return;
+    text_append(out, line, length);
+    text_append(out, "\n", 1);
+}
+
+EsReader es_begin(const GlslSource *source) {
+    EsReader reader = {.scan = glsl_scan(text_string(&source->text))};
+    reader.at = reader.scan.code;
+    return reader;
+}
+
+bool es_piece(EsReader *reader, Text *piece) {
+    if (!reader->begun) {
+        text_append(piece, head, sizeof head - 1);
+        return reader->begun = true;
+    }
+    while (*reader->at) {
+        const char *line = reader->at;
+        size_t length = strcspn(line, "\n");
+        bool cut = glsl_directive(line, "line") != NULL;
+        if (!cut && !glsl_directive(line, "version")) write_line(line, length, piece);
+        reader->at += length + (line[length] == '\n');
+        if (cut && piece->size) return true;
+    }
+    return piece->size > 0;
+}
+
+void es_end(EsReader *reader) {
+    glsl_scan_free(&reader->scan);
+}
+
+void es_write(const GlslSource *source, Text *out) {
+    EsReader reader = es_begin(source);
+    for (Text piece = {0}; es_piece(&reader, &piece); text_free(&piece))
+        text_append(out, piece.data, piece.size);
+    es_end(&reader);
+}

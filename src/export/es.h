@@ -1,0 +1,23 @@
+/* GLSL ES 3.00, which browsers take, from the GLSL 3.30 of a flattened text. The library keeps to what both
+ * have in common, so that only the head differs. */
+#pragma once
+
+#include "source/glsl_scan.h"
+#include "source/glsl_source.h"
+
+/* Reads a flattened text piece by piece: a piece is what stands between two #line directives. */
+typedef struct EsReader {
+    GlslScan scan;
+    const char *at;
+    bool begun;
+} EsReader;
+
+EsReader es_begin(const GlslSource *source);
+
+/* Appends the next piece that is not empty, without comments and without what `#if 0` leaves out. The first one
+ * is the head of ES. Returns false where there is none. */
+bool es_piece(EsReader *reader, Text *piece);
+void es_end(EsReader *reader);
+
+/* Appends the whole text. */
+void es_write(const GlslSource *source, Text *out);

@@ -1,0 +1,52 @@
+#include "export/page_texts.h"
+
+#include "base/json.h"
+#include "base/memory.h"
+#include "export/es.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static int add(PageList *list, const char *text) {
+    for (int i = 0; i < list->count; i++)
+        if (strcmp(list->items[i], text) == 0) return i;
+    list->items = memory_grow(list->items, (size_t)list->count + 1, sizeof *list->items);
+    list->items[list->count] = memory_string(text);
+    return list->count++;
+}
+
+/* The text is cut where another file begins or goes on. */
+int page_texts_add(PageTexts *texts, const GlslSource *source) {
+    Text numbers = {0};
+    EsReader reader = es_begin(source);
+    for (Text piece = {0}; es_piece(&reader, &piece); text_free(&piece))
+        text_print(&numbers, "%s%d", numbers.size ? " " : "", add(&texts->pieces, text_string(&piece)));
+    es_end(&reader);
+    int number = add(&texts->shaders, text_string(&numbers));
+    text_free(&numbers);
+    return number;
+}
+
+static void write(const PageList *list, const char *name, FILE *file) {
+    for (int i = 0; i < list->count; i++) {
+        Json json = json_begin();
+        json_text(&json, name, list->items[i]);
+        json_end(&json, file);
+    }
+}
+
+void page_texts_write(const PageTexts *texts, FILE *file) {
+    write(&texts->pieces, "piece", file);
+    write(&texts->shaders, "shader", file);
+}
+
+static void empty(PageList *list) {
+    for (int i = 0; i < list->count; i++) free(list->items[i]);
+    free(list->items);
+    *list = (PageList){0};
+}
+
+void page_texts_free(PageTexts *texts) {
+    empty(&texts->pieces);
+    empty(&texts->shaders);
+}

@@ -1,0 +1,289 @@
+#include "export/page_variant.h"
+
+#include "base/json.h"
+#include "export/page_frame.h"
+#include "render/drawn_mirrors.h"
+#include "render/spheres.h"
+#include "sky/sky_sampler.h"
+#include "sky/sun.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_STEPS = 64 };
+
+/* What page.js sets from the sun, the camera and the picture. A scene's own uniforms are the sliders, which
+ * it sets too. */
+static const char *const computed[] = {"sun_direction",
+                                       "sun_level",
+                                       "sun_disk_middle",
+                                       "sun_disk_heights",
+                                       "sun_image_corner",
+                                       "sun_image_heart",
+                                       "camera_eye",
+                                       "camera_forward",
+                                       "camera_right",
+                                       "camera_up",
+                                       "picture_size",
+                                       "iResolution",
+                                       "seed",
+                                       "film_first",
+                                       NULL};
+
+/* Tables that the host computes and a page draws, or makes by page.js where there is no entry. */
+typedef struct Stand {
+    const ResourceKind *kind;
+    const char *entry;
+    int width, height;
+} Stand;
+
+static const Stand stands[] = {{&sun_table, "pass/fill_sun.glsl", 256, 1},
+                               {&sun_cover, "pass/fill_cover.glsl", 0, 0},
+                               {&sky_sampler, "", 0, 0}};
+
+static const Stand *stand_of(const ResourceKind *kind) {
+    for (size_t i = 0; i < sizeof stands / sizeof *stands; i++)
+        if (stands[i].kind == kind) return &stands[i];
+    return NULL;
+}
+
+typedef struct Writer {
+    const Plan *plan;
+    const RenderParams *params;
+    PageTexts *texts;
+    Frame frame;
+    PageScan scans[2];
+    FILE *file;
+    Error *error;
+} Writer;
+
+static bool page_computes(const Uniform *uniform) {
+    for (int i = 0; computed[i]; i++)
+        if (strcmp(uniform->name, computed[i]) == 0) return true;
+    return false;
+}
+
+static bool is_needed(const Writer *writer, const ResourceKind *kind) {
+    return kind != &drawn_mirrors && resource_is_needed(kind, picture_tables, &writer->frame);
+}
+
+static bool same_values(const Uniform *p, const Uniform *q) {
+    if (p->count != q->count || memcmp(p->values, q->values, sizeof p->values) != 0) return false;
+    return p->type != UNIFORM_FLOATS || memcmp(p->many, q->many, (size_t)p->count * sizeof *p->many) == 0;
+}
+
+static bool same_uniform(int entry, const PageFrame *a, const PageFrame *b) {
+    return same_values(&a->uniforms.items[entry], &b->uniforms.items[entry]);
+}
+
+static bool same_size(int entry, const PageFrame *a, const PageFrame *b) {
+    return a->width[entry] == b->width[entry] && a->height[entry] == b->height[entry];
+}
+
+/* Whether previews have the same values as pictures at rest. */
+static bool same_scans(const Writer *writer, int entry, PageSame *same) {
+    const PageFrame *at_rest = writer->scans[0].frames, *coarse = writer->scans[1].frames;
+    for (int i = 0; i < PAGE_FRAMES; i++)
+        if (!same(entry, &at_rest[i], &coarse[i])) return false;
+    return true;
+}
+
+static void write_value(const Writer *writer, const Uniform *uniform, double from_deg, bool coarse) {
+    static const int components[] = {1, 1, 1, 3, 4, 1};
+    bool many = uniform->type == UNIFORM_FLOATS;
+    Json json = json_begin();
+    json_text(&json, "uniform", uniform->name);
+    if (from_deg > -90) json_number(&json, "from", from_deg);
+    if (coarse) json_flag(&json, "coarse", true);
+    json_numbers(&json, "values", many ? uniform->many : uniform->values,
+                 many ? uniform->count : components[uniform->type]);
+    json_end(&json, writer->file);
+}
+
+/* Whether the uniform has been written with the same values, and not with others since. */
+static bool is_written(const Writer *writer, int entry) {
+    const Uniform *items = writer->scans[0].frames[0].uniforms.items;
+    int before = entry - 1;
+    while (before >= 0 && strcmp(items[before].name, items[entry].name) != 0) before--;
+    if (before < 0) return false;
+    for (int coarse = 0; coarse < 2; coarse++) {
+        for (int i = 0; i < PAGE_FRAMES; i++) {
+            const Uniforms *uniforms = &writer->scans[coarse].frames[i].uniforms;
+            if (!same_values(&uniforms->items[before], &uniforms->items[entry])) return false;
+        }
+    }
+    return true;
+}
+
+/* A uniform of a preview stands only where it differs from that of a picture at rest. */
+static bool write_uniform(const Writer *writer, int entry) {
+    double from[MOST_STEPS];
+    const PageFrame *frames[MOST_STEPS];
+    const Uniform *first = &writer->scans[0].frames[0].uniforms.items[entry];
+    if (!first->file || page_computes(first) || is_written(writer, entry)) return true;
+    for (int coarse = 0; coarse < 2; coarse++) {
+        int count = page_scan_steps(&writer->scans[coarse], entry, same_uniform, MOST_STEPS, from, frames);
+        if (!count)
+            return error_set(writer->error, STATUS_USAGE,
+                             "%s changes with the sun in a way that a page does not compute", first->name);
+        if (coarse && same_scans(writer, entry, same_uniform)) continue;
+        for (int i = 0; i < count; i++)
+            write_value(writer, &frames[i]->uniforms.items[entry], from[i], coarse != 0);
+    }
+    return true;
+}
+
+static bool write_uniforms(const Writer *writer, int from, int upto) {
+    for (int i = from; i < upto; i++)
+        if (!write_uniform(writer, i)) return false;
+    return true;
+}
+
+static bool add_text(const Writer *writer, const char *entry, int *number) {
+    const Pass pass = {.entry = entry};
+    GlslSource source = {0};
+    if (!pass_text(&pass, writer->plan, writer->params, &source, writer->error)) return false;
+    *number = page_texts_add(writer->texts, &source);
+    glsl_source_destroy(&source);
+    return true;
+}
+
+/* Sizes are lines of their own, before the table's. */
+static void write_sizes(const Writer *writer, int place, const Stand *stand) {
+    double from[MOST_STEPS];
+    const PageFrame *frames[MOST_STEPS];
+    for (int coarse = 0; coarse < 2; coarse++) {
+        int count =
+            stand ? 1 : page_scan_steps(&writer->scans[coarse], place, same_size, MOST_STEPS, from, frames);
+        if (coarse && (stand || same_scans(writer, place, same_size))) continue;
+        for (int i = 0; i < count; i++) {
+            double size[2] = {stand ? stand->width : frames[i]->width[place],
+                              stand ? stand->height : frames[i]->height[place]};
+            Json json = json_begin();
+            json_text(&json, "uniform", "size");
+            if (!stand && from[i] > -90) json_number(&json, "from", from[i]);
+            if (coarse) json_flag(&json, "coarse", true);
+            json_numbers(&json, "values", size, 2);
+            json_end(&json, writer->file);
+        }
+    }
+}
+
+static int place_of(const ResourceKind *kind) {
+    int place = 0;
+    while (picture_tables[place] != kind) place++;
+    return place;
+}
+
+/* Which textures its program reads under names that are not the textures' own: "rays_air=3.0", texture 0 of
+ * table 3. */
+static void write_reads(const ResourceKind *kind, Text *reads, Text *inputs) {
+    for (int i = 0; i < RESOURCE_INPUTS; i++) {
+        if (!kind->inputs[i]) continue;
+        text_print(inputs, "%s%d", inputs->size ? " " : "", place_of(kind->inputs[i]));
+        for (int t = 0; t < RESOURCE_TEXTURES; t++) {
+            const char *sampler = kind->input_samplers[i][t];
+            if (sampler)
+                text_print(reads, "%s%s=%d.%d", reads->size ? " " : "", sampler, place_of(kind->inputs[i]),
+                           t);
+        }
+    }
+}
+
+static bool write_table(const Writer *writer, int place) {
+    const ResourceKind *kind = picture_tables[place];
+    const Stand *stand = kind->entry ? NULL : stand_of(kind);
+    const char *entry = stand ? stand->entry : kind->entry;
+    int text = -1;
+    if (*entry && !add_text(writer, entry, &text)) return false;
+    write_sizes(writer, place, stand);
+    Text reads = {0}, inputs = {0}, samplers = {0};
+    write_reads(kind, &reads, &inputs);
+    for (int t = 0; t < RESOURCE_TEXTURES; t++)
+        text_print(&samplers, "%s%s", t ? " " : "", kind->samplers[t] ? kind->samplers[t] : "");
+    Json json = json_begin();
+    json_text(&json, "table", kind->name);
+    json_count(&json, "place", (uint64_t)place);
+    if (text >= 0) json_count(&json, "draws", (uint64_t)text);
+    json_text(&json, "samplers", text_string(&samplers));
+    json_text(&json, "inputs", text_string(&inputs));
+    json_text(&json, "reads", text_string(&reads));
+    json_flag(&json, "linear", kind->filter == GL_LINEAR);
+    json_end(&json, writer->file);
+    text_free(&reads);
+    text_free(&inputs);
+    text_free(&samplers);
+    return true;
+}
+
+static bool write_film(const Writer *writer) {
+    int trace, image = -1;
+    if (!add_text(writer, trace_pass.entry, &trace) ||
+        (writer->plan->sun.method->draws_image && !add_text(writer, sun_image_pass.entry, &image)))
+        return false;
+    Json json = json_begin();
+    json_text(&json, "table", "film");
+    json_count(&json, "draws", (uint64_t)trace);
+    if (image >= 0) json_count(&json, "image", (uint64_t)image);
+    json_count(&json, "group", writer->plan->group_samples);
+    json_end(&json, writer->file);
+    return true;
+}
+
+static bool write_all(const Writer *writer) {
+    const PageFrame *any = &writer->scans[0].frames[0];
+    if (!write_uniforms(writer, 0, any->from[0])) return false;
+    for (int i = 0; picture_tables[i]; i++) {
+        if (!is_needed(writer, picture_tables[i])) continue;
+        if (!write_uniforms(writer, any->from[i], any->upto[i]) || !write_table(writer, i)) return false;
+    }
+    return write_film(writer);
+}
+
+bool page_variant_write(const Plan *plan, const RenderParams *params, PageTexts *texts, Text *lines,
+                        Error *error) {
+    Camera camera = camera_of(params->scene, plan_width(params), plan_height(params));
+    char *data = NULL;
+    size_t size = 0;
+    Writer writer = {plan,
+                     params,
+                     texts,
+                     frame_of(plan, params, &camera),
+                     {page_scan(plan, params, false), page_scan(plan, params, true)},
+                     open_memstream(&data, &size),
+                     error};
+    bool ok = write_all(&writer);
+    fclose(writer.file);
+    if (ok) text_append(lines, data, size);
+    free(data);
+    page_scan_free(&writer.scans[0]);
+    page_scan_free(&writer.scans[1]);
+    return ok;
+}
+
+bool page_plan(Plan *plan, const RenderParams *params, Error *error) {
+    const char *path = params->scene->file->path;
+    if (!plan_make(plan, params, NULL, error)) return false;
+    plan->uncounted = true;
+    if (plan->sequence.method->walks_chains)
+        return error_set(error, STATUS_USAGE, "--sequence %s: a page has no Markov chains",
+                         plan->sequence.text);
+    if (plan->sun.method->traces_light) {
+        if (!method_is_auto(params->sun_disk) && params->sun_disk)
+            return error_set(error, STATUS_USAGE,
+                             "--sun-disk %s: a page traces no light paths from the sun; --sun-disk sampled "
+                             "leaves their light to chance",
+                             plan->sun.text);
+        if (!method_choose(&plan->sun, METHOD_SUN, "sampled", error)) return false;
+    }
+    Camera camera = camera_of(params->scene, plan_width(params), plan_height(params));
+    Frame frame = frame_of(plan, params, &camera);
+    for (int i = 0; picture_tables[i]; i++) {
+        const ResourceKind *kind = picture_tables[i];
+        if (kind->entry || stand_of(kind) || !resource_is_needed(kind, picture_tables, &frame)) continue;
+        return error_set(error, STATUS_SCENE, "%s:%d: a page has no %s: hit_spheres() is not carried yet",
+                         path, params->scene->file->spheres_line, kind->name + 4);
+    }
+    return true;
+}
