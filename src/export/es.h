@@ -14,8 +14,8 @@ typedef struct EsReader {
 
 EsReader es_begin(const GlslSource *source);
 
-/* Appends the next piece that is not empty, without comments and without what `#if 0` leaves out. The first one
- * is the head of ES. Returns false where there is none. */
+/* Appends the next piece that is not empty, without comments and without what `#if 0` leaves out. The first
+ * one is the head of ES. Returns false where there is none. */
 bool es_piece(EsReader *reader, Text *piece);
 void es_end(EsReader *reader);
 

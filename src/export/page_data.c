@@ -1,7 +1,6 @@
 #include "export/page_data.h"
 
 #include "base/json.h"
-#include "base/memory.h"
 #include "export/page_variant.h"
 #include "sky/observer.h"
 
@@ -15,11 +14,25 @@ typedef struct Data {
     RenderParams render;
     Plan plan;
     PageTexts texts;
-    Text *variants;
-    int variant_count;
+    /* The lines of all variants, and for each variant the numbers of its lines. */
+    PageList steps, variants;
     FILE *out;
     Error *error;
 } Data;
+
+/* Variants have most of their lines in common. */
+static int add_variant(Data *data, char *lines) {
+    Text numbers = {0};
+    for (char *line = lines; *line;) {
+        char *end = strchr(line, '\n');
+        *end = 0;
+        text_print(&numbers, "%s%d", numbers.size ? " " : "", page_list_add(&data->steps, line));
+        line = end + 1;
+    }
+    int number = page_list_add(&data->variants, text_string(&numbers));
+    text_free(&numbers);
+    return number;
+}
 
 /* The number of the variant that draws the scene. */
 static bool find_variant(Data *data, const Scene *scene, int *number) {
@@ -27,44 +40,67 @@ static bool find_variant(Data *data, const Scene *scene, int *number) {
     Plan plan;
     Text lines = {0};
     render.scene = scene;
-    text_print(&lines, "{\"horizon\": %.9g}\n", sky_horizon_sine(&scene->values.atmosphere));
-    text_print(&lines, "{\"radius\": %.9g}\n", scene->values.sun.radius_deg);
-    if (!page_plan(&plan, &render, data->error) ||
-        !page_variant_write(&plan, &render, &data->texts, &lines, data->error)) {
-        text_free(&lines);
-        return false;
-    }
-    for (*number = 0; *number < data->variant_count; ++*number) {
-        if (strcmp(text_string(&data->variants[*number]), text_string(&lines)) != 0) continue;
-        text_free(&lines);
-        return true;
-    }
-    data->variants = memory_grow(data->variants, (size_t)++data->variant_count, sizeof *data->variants);
-    data->variants[*number] = lines;
-    return true;
+    text_print(&lines, "{\"horizon\": %.9g, \"radius\": %.9g}\n", sky_horizon_sine(&scene->values.atmosphere),
+               scene->values.sun.radius_deg);
+    bool ok = page_plan(&plan, &render, data->error) &&
+              page_variant_write(&plan, &render, &data->texts, &lines, data->error);
+    if (ok) *number = add_variant(data, lines.data);
+    text_free(&lines);
+    return ok;
 }
 
-/* The parameter that switches mist or air on and off, and with them programs; -1 where there is none. */
-static int switch_of(const SceneFile *file) {
-    return file->mist.line ? file->mist.parameter : file->air_line ? file->air_parameter : -1;
+/* The parameters that switch mist and air on and off, and with them programs. Returns how many there are. */
+static int switches_of(const SceneFile *file, int switches[2]) {
+    int count = 0;
+    if (file->mist.line) switches[count++] = file->mist.parameter;
+    if (file->air_line) switches[count++] = file->air_parameter;
+    return count;
+}
+
+/* Writes the variant for each setting of the switches: bit i of its place is switch i. A setting that a page
+ * cannot draw is -1, and `why` says why; that of the state itself is an error. */
+static bool write_variants(Data *data, const PageState *state, Json *json) {
+    const SceneFile *file = state->scene.file;
+    int switches[2], count = switches_of(file, switches);
+    double numbers[4];
+    Text names = {0}, why = {0};
+    for (int setting = 0; setting < 1 << count; setting++) {
+        Scene scene = state->scene;
+        bool own = true;
+        int number = -1;
+        for (int i = 0; i < count; i++) {
+            double *value = &scene.values.parameters[switches[i]][0], wanted = setting >> i & 1;
+            own &= (*value > 0) == (wanted > 0);
+            *value = wanted;
+        }
+        if (!find_variant(data, &scene, &number)) {
+            if (own) return false;
+            text_free(&why);
+            text_print(&why, "%s", data->error->text);
+            number = -1;
+        }
+        numbers[setting] = number;
+    }
+    for (int i = 0; i < count; i++)
+        text_print(&names, "%s%s", i ? " " : "", file->parameters[switches[i]].name);
+    json_text(json, "switches", text_string(&names));
+    json_numbers(json, "variants", numbers, 1 << count);
+    if (why.size) json_text(json, "why", text_string(&why));
+    text_free(&names);
+    text_free(&why);
+    return true;
 }
 
 static bool write_state(Data *data, const PageState *state) {
     const SceneValues *values = &state->scene.values;
     const SceneFile *file = state->scene.file;
-    int variant, flipped = -1, toggle = switch_of(file);
-    if (!find_variant(data, &state->scene, &variant)) return false;
-    if (toggle >= 0) {
-        Scene other = state->scene;
-        other.values.parameters[toggle][0] = !(other.values.parameters[toggle][0] > 0);
-        if (!find_variant(data, &other, &flipped)) return false;
-    }
     double sun[2] = {values->sun.elevation_deg, values->sun.azimuth_deg};
     Json json = json_begin();
     json_text(&json, "state", state->name);
-    json_count(&json, "variant", (uint64_t)variant);
-    if (flipped >= 0) json_text(&json, "switch", file->parameters[toggle].name);
-    if (flipped >= 0) json_count(&json, "flipped", (uint64_t)flipped);
+    if (!write_variants(data, state, &json)) {
+        text_free(&json.line);
+        return false;
+    }
     json_numbers(&json, "sun", sun, 2);
     json_numbers(&json, "eye", values->camera.eye, 3);
     json_numbers(&json, "target", values->camera.target, 3);
@@ -98,8 +134,8 @@ static void write_head(const Data *data) {
     const RenderParams *render = &data->render;
     const Plan *plan = &data->plan;
     Text methods = {0};
-    text_print(&methods, " --sky %s --light %s --sequence %s --sun-disk=%s", plan->sky.text, plan->light.text,
-               plan->sequence.text, plan->sun.text);
+    text_print(&methods, " --sky %s --light %s --sequence %s --sun-disk=%s", render->sky, render->light,
+               render->sequence, render->sun_disk);
     if (plan->has_orders) text_print(&methods, " --further %s", plan->further.text);
     if (render->seed) text_print(&methods, " --seed %u", render->seed);
     if (render->max_hits) text_print(&methods, " --depth %d", render->max_hits);
@@ -135,11 +171,11 @@ static bool write_all(Data *data) {
     for (int i = 0; i < file->parameter_count; i++) write_parameter(data, &file->parameters[i]);
     for (int i = 0; i < data->params->count; i++)
         if (!write_state(data, &data->params->states[i])) return false;
-    for (int i = 0; i < data->variant_count; i++) {
+    for (int i = 0; i < data->steps.count; i++) fprintf(data->out, "%s\n", data->steps.items[i]);
+    for (int i = 0; i < data->variants.count; i++) {
         Json json = json_begin();
-        json_count(&json, "variant", (uint64_t)i);
+        json_text(&json, "variant", data->variants.items[i]);
         json_end(&json, data->out);
-        fputs(text_string(&data->variants[i]), data->out);
     }
     if (!write_shown(data, "same", "pass/shown_picture.glsl") ||
         !write_shown(data, "enlarged", "pass/shown_enlarged.glsl"))
@@ -153,9 +189,13 @@ bool page_data(const PageParams *params, Text *lines, Error *error) {
     char *bytes = NULL;
     size_t size = 0;
     data.render.scene = &params->states[0].scene;
+    /* The sun moves, so that the sky's table has the precision for all its positions, and its size follows.
+     */
+    if (method_is_auto(data.render.sky) && !data.render.scene->file->sky[0])
+        data.render.sky = "table:gauss:8";
     /* Presets have the methods of the first state, so that their pictures differ by what they set alone. */
     if (!page_plan(&data.plan, &data.render, error)) return false;
-    data.render.sky = data.plan.sky.text;
+    if (!data.render.sky) data.render.sky = data.plan.sky.text;
     data.render.light = data.plan.light.text;
     data.render.sequence = data.plan.sequence.text;
     data.render.sun_disk = data.plan.sun.text;
@@ -166,7 +206,7 @@ bool page_data(const PageParams *params, Text *lines, Error *error) {
     if (ok) text_append(lines, bytes, size);
     free(bytes);
     page_texts_free(&data.texts);
-    for (int i = 0; i < data.variant_count; i++) text_free(&data.variants[i]);
-    free(data.variants);
+    page_list_free(&data.steps);
+    page_list_free(&data.variants);
     return ok;
 }

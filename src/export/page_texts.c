@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int add(PageList *list, const char *text) {
+int page_list_add(PageList *list, const char *text) {
     for (int i = 0; i < list->count; i++)
         if (strcmp(list->items[i], text) == 0) return i;
     list->items = memory_grow(list->items, (size_t)list->count + 1, sizeof *list->items);
@@ -15,14 +15,21 @@ static int add(PageList *list, const char *text) {
     return list->count++;
 }
 
+void page_list_free(PageList *list) {
+    for (int i = 0; i < list->count; i++) free(list->items[i]);
+    free(list->items);
+    *list = (PageList){0};
+}
+
 /* The text is cut where another file begins or goes on. */
 int page_texts_add(PageTexts *texts, const GlslSource *source) {
     Text numbers = {0};
     EsReader reader = es_begin(source);
     for (Text piece = {0}; es_piece(&reader, &piece); text_free(&piece))
-        text_print(&numbers, "%s%d", numbers.size ? " " : "", add(&texts->pieces, text_string(&piece)));
+        text_print(&numbers, "%s%d", numbers.size ? " " : "",
+                   page_list_add(&texts->pieces, text_string(&piece)));
     es_end(&reader);
-    int number = add(&texts->shaders, text_string(&numbers));
+    int number = page_list_add(&texts->shaders, text_string(&numbers));
     text_free(&numbers);
     return number;
 }
@@ -40,13 +47,7 @@ void page_texts_write(const PageTexts *texts, FILE *file) {
     write(&texts->shaders, "shader", file);
 }
 
-static void empty(PageList *list) {
-    for (int i = 0; i < list->count; i++) free(list->items[i]);
-    free(list->items);
-    *list = (PageList){0};
-}
-
 void page_texts_free(PageTexts *texts) {
-    empty(&texts->pieces);
-    empty(&texts->shaders);
+    page_list_free(&texts->pieces);
+    page_list_free(&texts->shaders);
 }

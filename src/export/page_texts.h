@@ -12,6 +12,10 @@ typedef struct PageList {
     int count;
 } PageList;
 
+/* The number of the text in the list, which is added if it is new. */
+int page_list_add(PageList *list, const char *text);
+void page_list_free(PageList *list);
+
 typedef struct PageTexts {
     PageList pieces;
     /* Numbers of pieces, with blanks between. */
@@ -21,6 +25,7 @@ typedef struct PageTexts {
 /* The number of the shader for WebGL 2, which is added if it is new. */
 int page_texts_add(PageTexts *texts, const GlslSource *source);
 
-/* Appends a line of JSON for each: {"piece": "..."} and {"shader": "0 1 5"}, in the order of their numbers. */
+/* Appends a line of JSON for each: {"piece": "..."} and {"shader": "0 1 5"}, in the order of their numbers.
+ */
 void page_texts_write(const PageTexts *texts, FILE *file);
 void page_texts_free(PageTexts *texts);

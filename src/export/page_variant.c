@@ -262,21 +262,27 @@ bool page_variant_write(const Plan *plan, const RenderParams *params, PageTexts 
     return ok;
 }
 
+/* The sun of a page rises and sets, so that its method is that of a sun which is up. Light paths stay with
+ * the host; they are left to chance where they were not asked for by name. */
+static bool choose_sun(Plan *plan, const RenderParams *params, Error *error) {
+    Scene scene = *params->scene;
+    scene_set_sun(&scene, 45, 0);
+    if (!sun_choose(&plan->sun, params->sun_disk, &scene, error)) return false;
+    if (!plan->sun.method->traces_light) return true;
+    if (method_is_auto(params->sun_disk)) return method_choose(&plan->sun, METHOD_SUN, "sampled", error);
+    return error_set(error, STATUS_USAGE,
+                     "--sun-disk %s: a page traces no light paths from the sun; --sun-disk=sampled leaves "
+                     "their light to chance",
+                     plan->sun.text);
+}
+
 bool page_plan(Plan *plan, const RenderParams *params, Error *error) {
     const char *path = params->scene->file->path;
-    if (!plan_make(plan, params, NULL, error)) return false;
+    if (!plan_make(plan, params, NULL, error) || !choose_sun(plan, params, error)) return false;
     plan->uncounted = true;
     if (plan->sequence.method->walks_chains)
         return error_set(error, STATUS_USAGE, "--sequence %s: a page has no Markov chains",
                          plan->sequence.text);
-    if (plan->sun.method->traces_light) {
-        if (!method_is_auto(params->sun_disk) && params->sun_disk)
-            return error_set(error, STATUS_USAGE,
-                             "--sun-disk %s: a page traces no light paths from the sun; --sun-disk sampled "
-                             "leaves their light to chance",
-                             plan->sun.text);
-        if (!method_choose(&plan->sun, METHOD_SUN, "sampled", error)) return false;
-    }
     Camera camera = camera_of(params->scene, plan_width(params), plan_height(params));
     Frame frame = frame_of(plan, params, &camera);
     for (int i = 0; picture_tables[i]; i++) {
@@ -285,5 +291,6 @@ bool page_plan(Plan *plan, const RenderParams *params, Error *error) {
         return error_set(error, STATUS_SCENE, "%s:%d: a page has no %s: hit_spheres() is not carried yet",
                          path, params->scene->file->spheres_line, kind->name + 4);
     }
-    return true;
+    /* The page does not know where it will be opened. */
+    return plan_fit_loops(plan, params, PLAN_LEAST_LOOP_LIMIT, error);
 }

@@ -14,9 +14,6 @@
 
 enum {
     MOST_GROUP_SAMPLES = 16,
-    /* The smallest number of iterations at which a driver is known to end all loops of a shader (llvmpipe
-     * before Mesa 25). The driver's own limit is measured only if a draw needs more. */
-    LEAST_LOOP_LIMIT = 65535,
     /* Stands for "unlimited" where a loop needs a bound: the probability that Russian roulette lets a path
      * come so far is below 1e-22. */
     UNLIMITED_HITS = 1000,
@@ -84,23 +81,20 @@ static long hit_iterations(const Plan *plan, const Scene *scene) {
     return 1 + rays * plan->needs.search_iterations + tracks * MIST_ITERATIONS + loops;
 }
 
-/* Sets the number of samples of a draw. If the driver ends loops, "unlimited" is as many hits as its limit
- * allows. Without a context nothing is drawn and nothing is limited. */
-static bool choose_group(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
+/* The loop iterations of a sample beside those at its hits, and of a sample in all. */
+static long other_iterations(const Plan *plan) {
+    return 1 + sky_iterations(plan) * (1 + plan->light.method->extra_sky_lookups);
+}
+
+static long sample_iterations(const Plan *plan, const RenderParams *params) {
+    return other_iterations(plan) + (plan->max_hits + 1L) * hit_iterations(plan, params->scene);
+}
+
+bool plan_fit_loops(Plan *plan, const RenderParams *params, long limit, Error *error) {
     const MethodChoice *sky = &plan->sky;
-    long limit, hit = hit_iterations(plan, params->scene);
-    long others = 1 + sky_iterations(plan) * (1 + plan->light.method->extra_sky_lookups);
-    long iterations = others + (plan->max_hits + 1L) * hit;
-    bool small = MOST_GROUP_SAMPLES * iterations <= LEAST_LOOP_LIMIT && sky->iterations <= LEAST_LOOP_LIMIT;
-    plan->group_samples = MOST_GROUP_SAMPLES;
-    if (small || !context) return true;
-    if (plan->loop_limit == LOOP_LIMIT_UNKNOWN && !loops_probe(&context->gl, &plan->loop_limit, error))
-        return false;
-    limit = plan->loop_limit;
-    if (!limit) return true;
-    long most = (limit - others) / hit - 1;
+    long hit = hit_iterations(plan, params->scene), most = (limit - other_iterations(plan)) / hit - 1;
     if (!params->max_hits && hit > 1 && most > 16 && most < plan->max_hits) plan->max_hits = (int)most;
-    iterations = others + (plan->max_hits + 1L) * hit;
+    long iterations = sample_iterations(plan, params);
     if (iterations > limit || sky->iterations > limit) {
         return error_set(error, STATUS_USAGE,
                          "--sky %s with --light %s and %d surface hits needs %ld loop iterations a sample; "
@@ -110,6 +104,18 @@ static bool choose_group(Plan *plan, const RenderParams *params, const Context *
     }
     while (plan->group_samples * iterations > limit) plan->group_samples /= 2;
     return true;
+}
+
+/* Sets the number of samples of a draw. If the driver ends loops, "unlimited" is as many hits as its limit
+ * allows. Without a context nothing is drawn and nothing is limited. */
+static bool choose_group(Plan *plan, const RenderParams *params, const Context *context, Error *error) {
+    bool small = MOST_GROUP_SAMPLES * sample_iterations(plan, params) <= PLAN_LEAST_LOOP_LIMIT &&
+                 plan->sky.iterations <= PLAN_LEAST_LOOP_LIMIT;
+    plan->group_samples = MOST_GROUP_SAMPLES;
+    if (small || !context) return true;
+    if (plan->loop_limit == LOOP_LIMIT_UNKNOWN && !loops_probe(&context->gl, &plan->loop_limit, error))
+        return false;
+    return !plan->loop_limit || plan_fit_loops(plan, params, plan->loop_limit, error);
 }
 
 /* Whether each of the scene's bounds is one of its mirror spheres. If the scene defines either in GLSL, their

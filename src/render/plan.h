@@ -68,7 +68,9 @@ typedef struct SceneNeeds {
     bool throws;
 } SceneNeeds;
 
-enum { LOOP_LIMIT_UNKNOWN = -1 };
+/* The second is the smallest number of iterations at which a driver is known to end all loops of a shader
+ * (llvmpipe before Mesa 25). A driver's own limit is measured only if a draw needs more. */
+enum { LOOP_LIMIT_UNKNOWN = -1, PLAN_LEAST_LOOP_LIMIT = 65535 };
 
 typedef struct Plan {
     MethodChoice sky, further, light, sequence, sun;
@@ -100,6 +102,10 @@ MUST_CHECK bool plan_make(Plan *plan, const RenderParams *params, const Context 
 
 /* Makes all of the plan but `needs`, which must be there already. */
 MUST_CHECK bool plan_choose(Plan *plan, const RenderParams *params, const Context *context, Error *error);
+
+/* Lowers the hits of a path and the samples of a draw, so that a draw has no more than `limit` loop
+ * iterations. STATUS_USAGE where a single sample needs more. */
+MUST_CHECK bool plan_fit_loops(Plan *plan, const RenderParams *params, long limit, Error *error);
 
 /* Whether the film counts the light that is left to chance (FILM_CHANCE). Chains find it by other odds. */
 bool plan_counts_chance(const Plan *plan);
