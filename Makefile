@@ -73,7 +73,7 @@ cmocka:
 	@pkg-config --exists cmocka || tools/deps.sh --missing $(TEST_NEEDS)
 
 # The files that stand in every page that is exported, as strings (src/export/embedded.h).
-$(BUILD)/src/export/embedded.c: src/export/page.html src/export/page.css src/export/page.js
+$(BUILD)/src/export/embedded.c: src/export/page.html src/export/page.css src/export/page_draw.js src/export/page_panel.js
 	@mkdir -p $(@D)
 	@{ echo '#include "export/embedded.h"'; for file in $^; do \
 	    echo "const char embedded_$$(basename $$file | tr . _)[] = {"; od -An -v -td1 $$file | sed 's/\([0-9]\)\( \|$$\)/\1,/g'; echo "0};"; done; } > $@

@@ -14,6 +14,8 @@ static void print_string(Text *line, const char *value) {
     for (const char *c = value; *c; c++) {
         if (*c == '"' || *c == '\\')
             text_print(line, "\\%c", *c);
+        else if (*c == '\n')
+            text_print(line, "\\n");
         else if ((unsigned char)*c < 0x20)
             text_print(line, "\\u%04x", (unsigned)*c);
         else

@@ -31,7 +31,8 @@ static void write_part(const char *name, size_t length, const PageParams *params
     const char *title = params->states[0].scene.file->title;
     if (strncmp(name, "TITLE", length) == 0) write_words(*title ? title : "A scene", html);
     if (strncmp(name, "STYLE", length) == 0) text_print(html, "%s", embedded_page_css);
-    if (strncmp(name, "SCRIPT", length) == 0) text_print(html, "%s", embedded_page_js);
+    if (strncmp(name, "SCRIPT", length) == 0)
+        text_print(html, "%s%s", embedded_page_draw_js, embedded_page_panel_js);
     if (strncmp(name, "DATA", length) == 0) write_data(lines, html);
 }
 
