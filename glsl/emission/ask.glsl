@@ -4,6 +4,9 @@
 // The radiance that a ray brings from its hit, if it has one: the given share of what is emitted there.
 vec3 emission_met(Hit hit, vec3 incoming, float share);
 
+// Whether rays are sent toward emitters. It is a constant, so that the two functions below cost nothing where they are not.
+bool emission_sought();
+
 // A direction from `hit` in which something may emit.
 vec3 emission_direction(Hit hit, INOUT(Sequence) sequence);
 

@@ -8,6 +8,10 @@
 #include <emitter-spheres>
 #include "emission/cones.glsl"
 
+bool emission_sought() {
+    return true;
+}
+
 vec3 emission_direction(Hit hit, INOUT(Sequence) sequence) {
     return emitters_sample(hit.position, hit.normal, sequence_pair(sequence));
 }

@@ -1,6 +1,10 @@
 // No rays are sent toward emitters. Only the bounces find them.
 #include "emission/ask.glsl"
 
+bool emission_sought() {
+    return false;
+}
+
 vec3 emission_direction(Hit hit, INOUT(Sequence) sequence) {
     return hit.normal;
 }

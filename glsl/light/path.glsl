@@ -39,13 +39,17 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             path.throughput *= path.weight;
             Bounce bounce = path_bounce(memory, path, hit, material, u, v);
             if (mist_knows_sky() && stretch.in_mist) path.gathered += path.throughput * stretch_sky(stretch, material, incoming, bounce);
-            path.gathered += before * stretch_surface_sun(stretch, path, material, max_hits - path.hits - 1, sequence);
-            path.sun = sun_after_bounce(path.sun, hit, material, incoming, bounce);
+            if (sun_shines()) {
+                path.gathered += before * stretch_surface_sun(stretch, path, material, max_hits - path.hits - 1, sequence);
+                path.sun = sun_after_bounce(path.sun, hit, material, incoming, bounce);
+            }
             // The sunlight that air scatters is gathered with any of the sun's methods.
             if (mist_is_air() && stretch.in_mist) path.sun.found = SUN_SOUGHT;
-            vec3 lamp = emission_direction(hit, sequence);
-            float lamp_pdf = path_pdf(memory, path, hit, material, lamp);
-            path.gathered += path.throughput * emission_reflected(hit, material, incoming, lamp, lamp_pdf);
+            if (emission_sought()) {
+                vec3 lamp = emission_direction(hit, sequence);
+                float lamp_pdf = path_pdf(memory, path, hit, material, lamp);
+                path.gathered += path.throughput * emission_reflected(hit, material, incoming, lamp, lamp_pdf);
+            }
             path.lamp_share = emission_share(hit, bounce);
             path.throughput *= bounce.weight;
             path.ray = ray_from(hit, bounce.direction);
@@ -60,8 +64,11 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
         }
     } while (alive);
     if (path.escaped) path.throughput *= path.weight;
-    float share = sun_share(path.sun.traced * path.sun.peak, path.ray);
-    vec3 disk = share * sun_escaped(path.sun, path.ray.direction);
-    if (path.escaped) sun_count(path.sun, share * path.throughput, path.ray.direction, path.throughput * disk);
+    vec3 disk = vec3(0.0);
+    if (sun_shines()) {
+        float share = sun_share(path.sun.traced * path.sun.peak, path.ray);
+        disk = share * sun_escaped(path.sun, path.ray.direction);
+        if (path.escaped) sun_count(path.sun, share * path.throughput, path.ray.direction, path.throughput * disk);
+    }
     return path_finish(memory, path, disk);
 }

@@ -40,6 +40,9 @@ struct SunState {
     float traced;
 };
 
+// Whether the disk is there. It is a constant, so that the functions below cost nothing where it is not.
+bool sun_shines();
+
 SunState sun_start() {
     return SunState(SUN_PICTURED, false, 0.0, 0, 0.0, 0.0);
 }

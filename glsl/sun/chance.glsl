@@ -5,6 +5,10 @@
 #include "sun/near.glsl"
 #include "sun/share_whole.glsl"
 
+bool sun_shines() {
+    return true;
+}
+
 vec3 sun_reflected(SunState state, Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
     return vec3(0.0);
 }

@@ -2,6 +2,10 @@
 #include "sun/ask.glsl"
 #include "sun/share_whole.glsl"
 
+bool sun_shines() {
+    return false;
+}
+
 vec3 sun_reflected(SunState state, Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
     return vec3(0.0);
 }

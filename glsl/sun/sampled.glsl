@@ -12,6 +12,10 @@
 // Whether the last ray to the disk arrived.
 bool sun_arrived = false;
 
+bool sun_shines() {
+    return true;
+}
+
 vec3 sun_reflected(SunState state, Hit hit, Material material, vec3 incoming, int mirrors, INOUT(Sequence) sequence) {
     vec2 u = sequence_pair(sequence);
     vec3 toward = sun_point(u);
