@@ -47,7 +47,7 @@ vec2 ray_columns(Atmosphere air, float h, float r, float b, RaySegment segment, 
         vec2 at = ray_at(segment, j);
         vec2 density = densities(air, altitude_along(h, r, b, at.x)) * at.y;
         total += ray_weight[j] * density;
-        column += i < 0 ? vec2(0.0) : ray_cumulative[12 * max(i, 0) + j] * density;
+        column += i < 0 ? vec2(0.0) : ray_cumulative[ray_nodes * max(i, 0) + j] * density;
         j += 1;
     } while (j < ray_nodes);
     return i < 0 ? total : segment.descends ? total - column : column;

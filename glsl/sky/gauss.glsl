@@ -21,11 +21,11 @@ const float GAUSS_CROWDING = 0.5;
 
 struct GaussTable {
     // In (0,1) and ascending.
-    float node[12];
+    float node[GAUSS_NODES];
     // The sum of the weights is 1.
-    float weight[12];
-    // The number at 12 i + j is the integral, from 0 to node i, of the polynomial that is 1 at node j and 0 at the other nodes.
-    float cumulative[144];
+    float weight[GAUSS_NODES];
+    // The number at GAUSS_NODES i + j is the integral, from 0 to node i, of the polynomial that is 1 at node j and 0 at the other nodes.
+    float cumulative[GAUSS_NODES * GAUSS_NODES];
 };
 
 // The largest number of segments. The perigee and the four ends of two shadows make five cuts.
@@ -65,7 +65,7 @@ GaussNodes gauss_nodes(Atmosphere a, GaussTable table, float h, float r, float b
 // Returns the columns from the segment's begin to node i.
 vec2 gauss_column(GaussTable table, GaussNodes nodes, int i, bool descends) {
     vec2 column = vec2(0.0);
-    for (int j = 0; j < gauss_count(); j++) column += table.cumulative[12 * i + j] * nodes.stretch[j] * nodes.density[j];
+    for (int j = 0; j < gauss_count(); j++) column += table.cumulative[GAUSS_NODES * i + j] * nodes.stretch[j] * nodes.density[j];
     return descends ? nodes.total - column : column;
 }
 

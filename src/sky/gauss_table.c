@@ -64,7 +64,7 @@ GaussTable gauss_table(int nodes) {
             /* The term of k = 0. */
             double sum = x[i] + 1;
             for (int k = 1; k < nodes; k++) sum += p[j][k] * (p[i][k + 1] - p[i][k - 1]);
-            table.cumulative[GAUSS_MOST * i + j] = sum / 2 * table.weight[j];
+            table.cumulative[nodes * i + j] = sum / 2 * table.weight[j];
         }
     }
     return table;

@@ -6,7 +6,7 @@ enum { GAUSS_MOST = 12 };
 /* The GLSL struct of the same name in sky/gauss.glsl has the same members. */
 typedef struct GaussTable {
     double node[GAUSS_MOST], weight[GAUSS_MOST];
-    /* The weight of node j in the integral up to node i is cumulative[GAUSS_MOST * i + j]. */
+    /* The weight of node j in the integral up to node i is cumulative[nodes * i + j]. */
     double cumulative[GAUSS_MOST * GAUSS_MOST];
 } GaussTable;
 

@@ -112,9 +112,9 @@ static void light_uniforms(const Frame *frame, int k, Uniforms *uniforms) {
     GaussTable table = gauss_table(RAY_NODES);
     uniforms_declared_in(uniforms, "pass/order_nodes.glsl");
     uniforms_int(uniforms, "order_nodes", RAY_NODES);
-    uniforms_floats(uniforms, "order_gauss.node", table.node, GAUSS_MOST);
-    uniforms_floats(uniforms, "order_gauss.weight", table.weight, GAUSS_MOST);
-    uniforms_floats(uniforms, "order_gauss.cumulative", table.cumulative, GAUSS_MOST * GAUSS_MOST);
+    uniforms_floats(uniforms, "order_gauss.node", table.node, RAY_NODES);
+    uniforms_floats(uniforms, "order_gauss.weight", table.weight, RAY_NODES);
+    uniforms_floats(uniforms, "order_gauss.cumulative", table.cumulative, RAY_NODES * RAY_NODES);
 }
 
 static void moments_size(const Frame *frame, int k, int *width, int *height) {

@@ -54,9 +54,10 @@ static void method_uniforms(const MethodChoice *choice, Uniforms *uniforms) {
     switch (choice->method->numbers) {
     case NUMBERS_NODES: {
         GaussTable table = gauss_table(choice->nodes);
-        uniforms_floats(uniforms, "gauss_table.node", table.node, GAUSS_MOST);
-        uniforms_floats(uniforms, "gauss_table.weight", table.weight, GAUSS_MOST);
-        uniforms_floats(uniforms, "gauss_table.cumulative", table.cumulative, GAUSS_MOST * GAUSS_MOST);
+        int n = choice->nodes;
+        uniforms_floats(uniforms, "gauss_table.node", table.node, n);
+        uniforms_floats(uniforms, "gauss_table.weight", table.weight, n);
+        uniforms_floats(uniforms, "gauss_table.cumulative", table.cumulative, n * n);
         break;
     }
     case NUMBERS_STEPS:
