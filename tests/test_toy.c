@@ -120,6 +120,51 @@ static void test_options(void **state) {
                    support_path(""));
 }
 
+/* A program of somebody's with tabs: Common is in front of both, and Image gets what Buffer A drew for the
+ * same frame. */
+static void test_tabs(void **state) {
+    (void)state;
+    need_gl();
+    const char *folder = support_path("tabs");
+    char command[700];
+    snprintf(command, sizeof command, "mkdir -p '%s'", folder);
+    assert_int_equal(system(command), 0);
+    support_write("tabs/common.glsl", "const float STEP = 0.125;\n");
+    support_write("tabs/buffer-a.glsl", "void mainImage(out vec4 c, in vec2 p) {\n"
+                                        "    c = texelFetch(iChannel0, ivec2(p), 0) + STEP;\n}\n");
+    support_write("tabs/image.glsl", "#include \"common.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+                                     "    c = vec4(texelFetch(iChannel0, ivec2(p), 0).rgb, 1.0);\n"
+                                     "    if (p.x < 4.0) c = vec4(iTime, STEP, 0.0, 1.0);\n}\n");
+    support_expect(0, "", "render '%s' --size 8x8 --frames 4 -o '%s'", folder, support_path("tabs.exr"));
+    Image image = read_picture("tabs.exr");
+    assert_true(image.rgba[4 * 7] == 0.5f);
+    assert_true(fabsf(image.rgba[0] - 0.05f) < 1e-6f && image.rgba[1] == 0.125f);
+    image_free(&image);
+    support_expect(0, "", "render '%s/' --size 8x8 -o '%s'", folder, support_path("tabs.exr"));
+    image = read_picture("tabs.exr");
+    assert_true(image.rgba[4 * 7] == 0.125f && image.rgba[0] == 0.0f);
+    image_free(&image);
+    support_write("tabs/buffer-a.glsl", "void mainImage(out vec4 c, in vec2 p) {\n    c = nothing;\n}\n");
+    support_expect(3, "tabs/buffer-a.glsl:2: ", "render '%s' --size 8x8 -o '%s'", folder,
+                   support_path("tabs.exr"));
+    support_expect(2, "which has no frames", "render scenes/crater.glsl --frames 3 -o '%s'",
+                   support_path("tabs.exr"));
+}
+
+/* A text that brings its own Ray paints by itself, also if it has functions of a scene's names. */
+static void test_own_world(void **state) {
+    (void)state;
+    need_gl();
+    const char *toy = support_write("world.glsl", "struct Ray {\n    vec3 origin;\n};\n"
+                                                  "float scene_intersect(Ray ray) { return ray.origin.x; }\n"
+                                                  "void mainImage(out vec4 c, in vec2 p) {\n"
+                                                  "    c = vec4(scene_intersect(Ray(vec3(0.25))));\n}\n");
+    support_expect(0, "", "render '%s' --size 8x8 -o '%s'", toy, support_path("a.exr"));
+    Image image = read_picture("a.exr");
+    assert_true(image.rgba[0] == 0.25f);
+    image_free(&image);
+}
+
 #define HALF                                                                                                 \
     "void mainImage(out vec4 c, in vec2 p) {\n"                                                              \
     "    c = vec4(p.x < 8.5 ? 1.0 : 0.0, p.y / 16.0, iMouse.x / 255.0, 1.0);\n}\n"
@@ -185,6 +230,7 @@ static void test_interrupt(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_toys),       cmocka_unit_test(test_zero),
                                        cmocka_unit_test(test_options),    cmocka_unit_test(test_samples),
-                                       cmocka_unit_test(test_no_numbers), cmocka_unit_test(test_interrupt)};
+                                       cmocka_unit_test(test_no_numbers), cmocka_unit_test(test_tabs),
+                                       cmocka_unit_test(test_own_world),  cmocka_unit_test(test_interrupt)};
     return cmocka_run_group_tests_name("toy", tests, support_folder, support_clean);
 }

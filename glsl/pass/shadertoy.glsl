@@ -2,7 +2,7 @@
 // WebGL 2 has packHalf2x16() and its like without an extension.
 #extension GL_ARB_shading_language_packing : enable
 // A fragment shader that paints a picture by itself. It defines mainImage(), as Shadertoy's programs do, or main(). iChannel0 is
-// the picture before this one, and the other channels are black. iFrame is the picture's number. Row 0 is the bottom, as in
+// the picture before this one, or what its Buffer A draws, and the other channels are black. iFrame is the picture's number. Row 0 is the bottom, as in
 // Shadertoy. The host changes the text of the scene's file (src/scene/toy_source.h).
 #include "pass/shadertoy_uniforms.glsl"
 
@@ -10,6 +10,7 @@
 vec4 shadertoy_color = vec4(0.0);
 vec4 shadertoy_coord = vec4(0.0);
 
+#include <common>
 #include <scene>
 
 layout(location = 0) out vec4 shadertoy_next;

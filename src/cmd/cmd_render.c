@@ -167,7 +167,7 @@ Status cmd_render(const Options *options, int argc, char **argv, Error *error) {
     error->status = STATUS_DONE;
     interrupt_install();
     interrupt_answer();
-    bool ok = open_scene(&job, error);
+    bool ok = open_scene(&job, error) && render_check_frames(&job, error);
     if (ok) interrupt_limit_compiling(compile_seconds(options), job.scene.file->path);
     if (ok && render_is_toy(&job))
         ok = render_toy(&job, argc, argv, error);

@@ -103,6 +103,11 @@ const OptionRow option_table[] = {
      "mainImage() ten seconds of its iTime",
      NULL},
     {GROUP_OUTPUT, "--frames", "N", V, TAKE(take_frames), "for --record: write so many frames", NULL},
+    {GROUP_OUTPUT, "--frames", "N", R, TAKE(take_frames),
+     "of a file with mainImage(): draw so many frames, each of which has the one before as iChannel0, and "
+     "write "
+     "the last; 1 by default",
+     NULL},
     {GROUP_OUTPUT, "--fps", "F", V, TAKE(take_frame_rate),
      "for --record: frames a second, 25 by default; a day takes an hour a second", NULL},
     {GROUP_OUTPUT, "--at", "FILE.csv", S, STRING(at),

@@ -19,6 +19,13 @@ bool render_is_toy(const RenderJob *job) {
     return job->scene.file->facts.is_toy;
 }
 
+bool render_check_frames(const RenderJob *job, Error *error) {
+    if (!job->options->frames || render_is_toy(job)) return true;
+    return error_set(error, STATUS_USAGE,
+                     "--frames: %s is a scene, which has no frames: --spp says how many samples it gets",
+                     job->scene.file->path);
+}
+
 /* Places in a pixel that fill it evenly, however many they are; the first is the middle. These are Roberts's
  * numbers. */
 static void place_sample(uint64_t number, double shift[3]) {
@@ -26,7 +33,19 @@ static void place_sample(uint64_t number, double shift[3]) {
     shift[1] = fmod(0.5 + 0.5698402909980532 * (double)number, 1) - 0.5;
 }
 
-/* Draws one sample of each pixel and adds it to `sums`. Returns false in `whole` if it was interrupted. */
+/* Shadertoy's own rate, for the time of frames behind the first. */
+static const double frame_s = 1.0 / 60;
+
+static int frames_of(const RenderJob *job) {
+    return job->options->frames ? job->options->frames : 1;
+}
+
+static double time_of(const RenderJob *job, int frame) {
+    return job->scene.values.time_s + frame * frame_s;
+}
+
+/* Draws one sample of each pixel, with all frames that lead to it, and adds it to `sums`. Returns false in
+ * `whole` if it was interrupted. */
 static bool add_sample(const RenderJob *job, Toy *toy, uint64_t number, double *sums, bool *whole,
                        Error *error) {
     size_t values = 4 * (size_t)toy->target.width * (size_t)toy->target.height;
@@ -34,10 +53,12 @@ static bool add_sample(const RenderJob *job, Toy *toy, uint64_t number, double *
     memcpy(moment.mouse, job->scene.values.mouse, sizeof moment.mouse);
     place_sample(number, moment.shift);
     toy_restart(toy);
-    while (!toy->frame && !interrupt_requested()) {
+    while (toy->frame < frames_of(job) && !interrupt_requested()) {
+        moment.time_s = time_of(job, toy->frame);
+        moment.delta_s = toy->frame ? frame_s : 0;
         if (!toy_draw(toy, &job->scene, &moment, 0.3, interrupt_requested, error)) return false;
     }
-    *whole = toy->frame > 0;
+    *whole = toy->frame == frames_of(job);
     if (!*whole) return true;
     float *texels = memory_get(values, sizeof *texels);
     bool ok = target_read(&toy->target, 0, texels, error);
@@ -95,9 +116,10 @@ static bool write_outputs(const RenderJob *job, int argc, char **argv, Error *er
 static void say_result(const RenderJob *job) {
     for (int i = 0; i < job->options->output_count; i++)
         printf("%s%s", i ? ", " : "", outputs_name(job->options->outputs[i]));
-    printf(": %.0f sample%s of each pixel at %g s, in %.2f s (and %.2f s to start)\n", job->figures.samples,
-           job->figures.samples == 1 ? "" : "s", job->scene.values.time_s, job->figures.seconds,
-           job->figures.startup_seconds);
+    printf(": %.0f sample%s of each pixel", job->figures.samples, job->figures.samples == 1 ? "" : "s");
+    if (job->options->frames) printf(" of frame %d", job->options->frames - 1);
+    printf(" at %g s, in %.2f s (and %.2f s to start)\n", time_of(job, frames_of(job) - 1),
+           job->figures.seconds, job->figures.startup_seconds);
 }
 
 /* Says what may be wrong with the picture. */

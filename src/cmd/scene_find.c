@@ -4,6 +4,7 @@
 #include "base/near.h"
 #include "base/text.h"
 #include "scene/scene_list.h"
+#include "scene/toy_tabs.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -54,7 +55,8 @@ bool scene_find(const char *word, const char *library, char **path, Error *error
     struct stat status;
     bool there = stat(word, &status) == 0, missing = !there && errno == ENOENT;
     char *folder = scene_list_folder(library);
-    *path = there && !S_ISDIR(status.st_mode) ? NULL : find_installed(word, folder);
+    *path = there && S_ISDIR(status.st_mode) ? toy_tabs_image(word) : NULL;
+    if (!*path) *path = there && !S_ISDIR(status.st_mode) ? NULL : find_installed(word, folder);
     bool ok = *path || !missing || not_found(word, folder, error);
     /* What else is wrong with the file is said when it is opened. */
     if (ok && !*path) *path = memory_string(word);

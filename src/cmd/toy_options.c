@@ -54,5 +54,5 @@ bool toy_options_check(const Options *options, const SceneFile *file, Error *err
         "leave it out; --size, --set time=SECONDS%s are for such files",
         option ? "" : "--set ", option ? option : setting, file->path,
         options->command == COMMAND_VIEW ? ", --record, --frames and --fps"
-                                         : ", --set mouse=X,Y,Z,W and --spp");
+                                         : ", --set mouse=X,Y,Z,W, --frames and --spp");
 }

@@ -6,6 +6,7 @@
 #include "render/inputs.h"
 #include "scene/toy_source.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <time.h>
 
@@ -21,37 +22,65 @@ static bool compile(Program *program, Text *notes, const Context *context, const
 }
 
 /* If the text with zeros in it is refused, the fault is looked for in the text as it was written. */
-static bool compile_any(Program *program, Text *notes, const Context *context, const SceneFile *file,
+static bool compile_any(Program *program, Text *notes, const Context *context, ToyParams params,
                         Error *error) {
-    ToyParams params = {.file = file};
-    if (compile(program, notes, context, &params, error)) return true;
-    text_free(notes);
-    params.without_zero = true;
-    if (error->status != STATUS_SCENE || !compile(program, notes, context, &params, error)) return false;
-    text_print(notes,
-               "%s:1: variables that are not set are not 0 here: its macros hide where they are declared\n",
-               file->path);
-    return true;
+    Text found = {0};
+    bool ok = compile(program, &found, context, &params, error);
+    if (!ok && error->status == STATUS_SCENE) {
+        text_free(&found);
+        params.without_zero = true;
+        ok = compile(program, &found, context, &params, error);
+        text_print(
+            &found,
+            "%s:1: variables that are not set are not 0 here: its macros hide where they are declared\n",
+            params.buffer ? params.file->buffer : params.file->path);
+    }
+    if (ok) text_print(notes, "%s", text_string(&found));
+    text_free(&found);
+    return ok;
 }
 
-bool toy_compile(Toy *toy, const Context *context, const SceneFile *file, Error *error) {
-    Program program;
-    Text notes = {0};
-    if (!compile_any(&program, &notes, context, file, error)) {
-        text_free(&notes);
-        return false;
-    }
+/* Puts a new program in place of the old one. */
+static void put(Toy *toy, Program program) {
     program_destroy(&toy->program);
-    text_free(&toy->notes);
     toy->program = program;
-    toy->notes = notes;
     toy->row = 0;
     /* A low guess for the first draw. */
     toy->pixels_per_second = 1e5;
+}
+
+static void put_buffer(Toy *toy, const Program *program) {
+    if (program) {
+        if (!toy->buffer) toy->buffer = memory_get(1, sizeof *toy->buffer);
+        put(toy->buffer, *program);
+    } else if (toy->buffer) {
+        toy_destroy(toy->buffer);
+        free(toy->buffer);
+        toy->buffer = NULL;
+    }
+}
+
+bool toy_compile(Toy *toy, const Context *context, const SceneFile *file, Error *error) {
+    Program program, buffer;
+    Text notes = {0};
+    bool ok = compile_any(&program, &notes, context, (ToyParams){.file = file}, error);
+    if (ok && file->buffer) {
+        ok = compile_any(&buffer, &notes, context, (ToyParams){.file = file, .buffer = true}, error);
+        if (!ok) program_destroy(&program);
+    }
+    if (!ok) {
+        text_free(&notes);
+        return false;
+    }
+    put(toy, program);
+    put_buffer(toy, file->buffer ? &buffer : NULL);
+    text_free(&toy->notes);
+    toy->notes = notes;
     return true;
 }
 
 void toy_destroy(Toy *toy) {
+    put_buffer(toy, NULL);
     program_destroy(&toy->program);
     target_destroy(&toy->target);
     text_free(&toy->notes);
@@ -59,12 +88,14 @@ void toy_destroy(Toy *toy) {
 }
 
 void toy_restart(Toy *toy) {
+    if (toy->buffer) toy_restart(toy->buffer);
     if (toy->target.gl) target_clear(&toy->target);
     toy->frame = toy->row = 0;
 }
 
 bool toy_resize(Toy *toy, const Context *context, int width, int height, Error *error) {
     Target *target = &toy->target;
+    if (toy->buffer && !toy_resize(toy->buffer, context, width, height, error)) return false;
     if (target->gl && target->width == width && target->height == height) return true;
     target_destroy(target);
     if (!target_create(target, context, width, height, (1 << OUTPUTS) - 1, error)) return false;
@@ -112,6 +143,7 @@ static bool tell(const Toy *toy, const Scene *scene, Error *error) {
     tell_channels(toy);
     tell_date(toy);
     target_begin(&toy->target, program, names);
+    if (toy->buffer) program_set_texture(program, "iChannel0", toy_texture(toy->buffer));
     program_set_float(program, "iTime", moment->time_s);
     program_set_float(program, "iTimeDelta", moment->delta_s);
     program_set_float(program, "iFrameRate", moment->delta_s > 0 ? 1 / moment->delta_s : 60);
@@ -126,10 +158,8 @@ static bool tell(const Toy *toy, const Scene *scene, Error *error) {
     return program_check(program, error);
 }
 
-bool toy_draw(Toy *toy, const Scene *scene, const ToyMoment *moment, double seconds, bool (*stop)(void),
-              Error *error) {
+static bool draw(Toy *toy, const Scene *scene, double seconds, bool (*stop)(void), Error *error) {
     Target *target = &toy->target;
-    if (toy->row == 0) toy->moment = *moment;
     if (!tell(toy, scene, error)) return false;
     strips_draw_for(&toy->program, target->width, target->height, &toy->row, &toy->pixels_per_second, seconds,
                     stop);
@@ -139,6 +169,18 @@ bool toy_draw(Toy *toy, const Scene *scene, const ToyMoment *moment, double seco
         toy->frame++;
     }
     return gl_check(toy->program.gl, "drawing mainImage()", error);
+}
+
+/* Both draw the same frame at the same moment. */
+bool toy_draw(Toy *toy, const Scene *scene, const ToyMoment *moment, double seconds, bool (*stop)(void),
+              Error *error) {
+    Toy *buffer = toy->buffer;
+    if (buffer && buffer->frame <= toy->frame) {
+        if (buffer->row == 0) buffer->moment = *moment;
+        return draw(buffer, scene, seconds, stop, error);
+    }
+    if (toy->row == 0) toy->moment = buffer ? buffer->moment : *moment;
+    return draw(toy, scene, seconds, stop, error);
 }
 
 void toy_say_notes(const Toy *toy, FILE *out) {
@@ -154,9 +196,11 @@ GLuint toy_texture(const Toy *toy) {
 bool toy_cut_share(const Toy *toy, double *share, Error *error) {
     size_t pixels = (size_t)toy->target.width * (size_t)toy->target.height, cut = 0;
     float *texels = memory_get(4 * pixels, sizeof *texels);
-    bool ok = target_read(&toy->target, CUT, texels, error);
+    double before = 0;
+    bool ok = target_read(&toy->target, CUT, texels, error) &&
+              (!toy->buffer || toy_cut_share(toy->buffer, &before, error));
     for (size_t i = 0; ok && i < pixels; i++) cut += texels[4 * i] > 0.5f;
-    *share = (double)cut / (double)pixels;
+    *share = fmax((double)cut / (double)pixels, before);
     free(texels);
     return ok;
 }

@@ -1,5 +1,6 @@
 /* A program that paints a picture by itself (scene/toy_source.h): a file that defines mainImage() or main()
- * and no scene. Each frame sees the one before as iChannel0. */
+ * and no scene. Each frame sees the one before as iChannel0; or if it has a Buffer A (scene/toy_tabs.h), what
+ * that draws for the same frame, and Buffer A its own frame before. */
 #pragma once
 
 #include "gl/target.h"
@@ -17,6 +18,8 @@ typedef struct Toy {
     /* Empty if the file is no such program. */
     Program program;
     Target target;
+    /* Its Buffer A, which draws each frame first; NULL where there is none. Owned. */
+    struct Toy *buffer;
     /* What the program does not get, a line each with its place; "" where there is nothing. Owned. */
     Text notes;
     /* The frame that is being drawn. The frame before is the target's front. */

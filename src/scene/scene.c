@@ -8,6 +8,7 @@
 #include "scene/hint_glsl.h"
 #include "scene/spectrum.h"
 #include "scene/sun_clock.h"
+#include "scene/toy_tabs.h"
 #include "scene/uniform_check.h"
 
 #include <math.h>
@@ -46,6 +47,7 @@ static bool read_sphere_file(SceneFile *file, Error *error) {
 bool scene_read(Scene *scene, const char *path, const char *library, Error *error) {
     SceneFile *file = scene_file_create(path, library);
     bool ok = annotation_read(file, error) && read_sphere_file(file, error) && find_facts(file, error);
+    if (ok) toy_tabs_find(file);
     if (!ok) scene_file_release(file);
     *scene = ok ? (Scene){file, file->values} : (Scene){0};
     return ok;

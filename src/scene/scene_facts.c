@@ -38,14 +38,20 @@ static void find_inputs(const GlslScan *scan, SceneFacts *facts) {
     }
 }
 
+/* A file that has a structure Ray of its own brings a world of its own, also if functions in it have a
+ * scene's names: no scene could have it beside the library's. */
+static bool paints(const GlslScan *scan) {
+    bool has_entry = glsl_scan_defines(scan, "mainImage") || glsl_scan_defines(scan, "main");
+    bool is_scene = glsl_scan_defines(scan, "scene_intersect") && !glsl_scan_declares(scan, "struct", "Ray");
+    return has_entry && !is_scene;
+}
+
 SceneFacts scene_facts(const GlslSource *source) {
     GlslScan scan = glsl_scan(text_string(&source->text));
     SceneFacts facts = {.missing = find_missing(source, &scan),
                         .makes_spheres = glsl_scan_defines(&scan, "scene_sphere"),
                         .makes_mist = glsl_scan_defines(&scan, "scene_mist"),
-                        .is_toy =
-                            (glsl_scan_defines(&scan, "mainImage") || glsl_scan_defines(&scan, "main")) &&
-                            !glsl_scan_defines(&scan, "scene_intersect"),
+                        .is_toy = paints(&scan),
                         .searches = glsl_source_includes(source, "shape/search.glsl"),
                         .march_calls = glsl_scan_calls(&scan, "march"),
                         .hit_spheres_calls = glsl_scan_calls(&scan, "hit_spheres"),

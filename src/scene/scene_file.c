@@ -40,5 +40,7 @@ void scene_file_release(const SceneFile *file) {
     free(own->title);
     free(own->look);
     free(own->path);
+    free(own->common);
+    free(own->buffer);
     free(own);
 }

@@ -46,6 +46,8 @@ typedef struct SceneFile {
     /* The sky method that the scene asks for; empty if it asks for none. */
     char sky[64];
     int sky_line;
+    /* The lines of the annotations that choose the atmosphere and the sun's disk; 0 where there is none. */
+    int atmosphere_line, sun_disk_line;
     Parameter parameters[MOST_PARAMETERS];
     int parameter_count;
     Preset presets[32];
@@ -62,6 +64,9 @@ typedef struct SceneFile {
     /* That file; NULL where there is none. */
     const SourceFile *sphere_file;
     SceneFacts facts;
+    /* Of a program that paints by itself: the paths of the tabs that belong to it (scene/toy_tabs.h); owned,
+     * NULL where there is none. */
+    char *common, *buffer;
     /* What the file sets. */
     SceneValues values;
     /* References. */

@@ -105,9 +105,11 @@ static bool rewrite(GlslSource *source, Text *notes, const ToyParams *params, Er
 
 bool toy_source_create(GlslSource *source, Text *notes, const ToyParams *params, Error *error) {
     const SceneFile *file = params->file;
-    const GlslSlot slots[] = {{"scene", file->path, NULL}, {NULL, NULL, NULL}};
+    const char *path = params->buffer ? file->buffer : file->path;
+    const GlslSlot slots[] = {
+        {"common", file->common, file->common ? NULL : ""}, {"scene", path, NULL}, {NULL, NULL, NULL}};
     const SourceFile *read;
-    if (!source_store_read(file->sources, file->path, &read, error)) return false;
+    if (!source_store_read(file->sources, path, &read, error)) return false;
     if (is_isf(text_string(&read->text))) {
         return error_set(
             error, STATUS_SCENE,
@@ -115,7 +117,7 @@ bool toy_source_create(GlslSource *source, Text *notes, const ToyParams *params,
             "`void mainImage(out vec4 color, in vec2 at)` in place of main(), color for gl_FragColor, "
             "at / iResolution.xy for isf_FragNormCoord, iResolution.xy for RENDERSIZE, iTime for TIME, "
             "and a constant for each of its INPUTS",
-            file->path);
+            path);
     }
     if (!glsl_source_create(source, file->sources, entry, slots, error)) return false;
     if (rewrite(source, notes, params, error)) return true;

@@ -13,6 +13,8 @@
 
 typedef struct ToyParams {
     const SceneFile *file;
+    /* Its Buffer A in place of the file itself. */
+    bool buffer;
     /* Leaves variables as they are. */
     bool without_zero;
 } ToyParams;

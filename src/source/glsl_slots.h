@@ -10,7 +10,7 @@ typedef struct SlotList {
     int count;
 } SlotList;
 
-/* Fills <name> with a file of the library, or of the user's where the name is "scene". */
+/* Fills <name> with a file of the library, or of the user's where the name is "scene" or "common". */
 void slot_file(SlotList *list, const char *name, const char *path);
 
 /* Fills <name> with GLSL that the host wrote. */

@@ -47,7 +47,8 @@ static bool fill_slot(Flattener *flattener, const GlslSlot *slot, const Place *p
         text_print(&flattener->source->text, "%s\n", slot->text);
         return true;
     }
-    Found found = glsl_find_chosen(flattener->store, slot->path, strcmp(slot->name, "scene") == 0);
+    bool own = strcmp(slot->name, "scene") == 0 || strcmp(slot->name, "common") == 0;
+    Found found = glsl_find_chosen(flattener->store, slot->path, own);
     bool ok = found.path ? include_file(flattener, &found, place, error)
                          : error_set(error, STATUS_SCENE, "%s:%d: no file '%s' for <%s>", place->path,
                                      place->line, slot->path, slot->name);

@@ -3,8 +3,8 @@
  *   #include "shape/sphere.glsl"   a file beside the including one, else in the GLSL library; each file once,
  *                                  by whatever spelling or link it is named
  *   #include <sky>                 a slot: the file that the host chose for that name
- *   #include <scene>               the same, but always the user's own file, never one of the library's
- *   #include <materials>           written here (source/glsl_materials.h)
+ *   #include <scene>               the same, but always the user's own file, never one of the library's; so
+ * is <common> #include <materials>           written here (source/glsl_materials.h)
  *
  * A file of the user's that is found under the name of one of the library's takes its place everywhere: the
  * library's own files get it too. What is not included is not compiled, and an `#include` between `#if 0` and
