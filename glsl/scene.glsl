@@ -67,6 +67,7 @@ Material material_new(int kind, vec3 color) {
 Ray ray_from(Hit hit, vec3 direction) {
     vec3 size = abs(hit.position);
     float lift = 2.0e-6 * (max(max(size.x, size.y), size.z) + hit.t);
-    float side = dot(direction, hit.normal) < -1.0e-5 ? -lift : lift;
+    float sink = -lift;
+    float side = dot(direction, hit.normal) < -1.0e-5 ? sink : lift;
     return Ray(hit.position + side * hit.normal, direction);
 }

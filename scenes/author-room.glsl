@@ -44,9 +44,9 @@ Interval beyond(Ray ray, vec3 normal, float offset) {
     float height = dot(normal, ray.origin) - offset;
     float slope = dot(normal, ray.direction);
     float t = -height / (abs(slope) > 1.0e-20 ? slope : 1.0e-20);
-    // Browsers refuse ?: between structures.
-    if (slope >= 0.0) return Interval(t, INFINITY, -normal, normal);
-    return Interval(-INFINITY, t, normal, -normal);
+    bool leaves = slope >= 0.0;
+    vec3 opposite = -normal;
+    return Interval(leaves ? t : -INFINITY, leaves ? INFINITY : t, leaves ? opposite : normal, leaves ? normal : opposite);
 }
 
 // Moves the ray's end through a part of the empty space, if the end is in that part.

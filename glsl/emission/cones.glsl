@@ -28,7 +28,9 @@ vec3 emitters_sample(vec3 position, vec3 normal, vec2 u) {
         float share = weight / max(total, 1.0e-30);
         bool here = u.x < share;
         if (here) chosen = cone;
-        u.x = here ? u.x / share : (u.x - share) / max(1.0 - share, 1.0e-7);
+        float below = u.x / share;
+        float above = (u.x - share) / max(1.0 - share, 1.0e-7);
+        u.x = here ? below : above;
     }
     return cone_sample(chosen, u);
 }

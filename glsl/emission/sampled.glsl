@@ -30,5 +30,6 @@ vec3 emission_reflected(Hit hit, Material material, vec3 incoming, vec3 directio
 
 float emission_share(Hit hit, Bounce bounce) {
     float pdf = emitters_pdf(hit.position, hit.normal, bounce.direction);
-    return bounce.pdf > 0.0 ? bounce.pdf / (bounce.pdf + pdf) : 1.0;
+    float share = bounce.pdf / (bounce.pdf + pdf);
+    return bounce.pdf > 0.0 ? share : 1.0;
 }

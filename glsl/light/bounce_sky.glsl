@@ -21,7 +21,9 @@ Bounce path_bounce(INOUT(PathMemory) memory, Path path, Hit hit, Material materi
     float share = path.hits < SKY_HITS ? SKY_SHARE : 0.0;
     vec3 incoming = path.ray.direction;
     bool sky = u.x < share;
-    vec2 rest = vec2(sky ? u.x / SKY_SHARE : (u.x - share) / (1.0 - share), u.y);
+    float below = u.x / SKY_SHARE;
+    float above = (u.x - share) / (1.0 - share);
+    vec2 rest = vec2(sky ? below : above, u.y);
     Bounce bounce = material_sample(material, hit.normal, incoming, rest, v);
     if (bounce.pdf > 0.0) {
         if (sky) bounce.direction = sky_sample(rest);

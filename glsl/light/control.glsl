@@ -71,7 +71,8 @@ float blocker_pdf(vec3 position, vec3 normal, vec3 direction) {
 Bounce blocker_bounce(Bounce bounce, vec3 position, vec3 normal, BlockerChoice choice) {
     if (!choice.cosine) bounce.direction = cone_sample(choice.cone, choice.u);
     bounce.pdf = blocker_pdf(position, normal, bounce.direction);
-    bounce.weight *= bounce.pdf > 0.0 ? matte_density(dot(bounce.direction, normal)) / bounce.pdf : 0.0;
+    float weight = matte_density(dot(bounce.direction, normal)) / bounce.pdf;
+    bounce.weight *= bounce.pdf > 0.0 ? weight : 0.0;
     return bounce;
 }
 

@@ -17,5 +17,7 @@ void path_after(INOUT(PathMemory) memory, Path path, bool alive) {
 // A path that ended in the scene brings no sky, unless the sky's value is not finite: such a sample must be seen and counted.
 vec3 path_finish(PathMemory memory, Path path, vec3 disk) {
     vec3 brought = path.throughput * (sky_radiance(path.ray.direction) + disk);
-    return path.escaped || !is_finite(brought) ? path.gathered + brought : path.gathered;
+    vec3 radiance = path.gathered;
+    if (path.escaped || !is_finite(brought)) radiance += brought;
+    return radiance;
 }

@@ -57,7 +57,8 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             float survival = roulette_survival(path.throughput, path.hits);
             alive = !(v.y >= survival);
             // A path that has ended brings nothing, whatever is computed of it after this turn.
-            path.throughput = alive ? path.throughput / survival : vec3(0.0);
+            vec3 survivor = path.throughput / survival;
+            path.throughput = alive ? survivor : vec3(0.0);
             if (mist_here()) w = sequence_pair(sequence);
             mist_begin(w);
             path_after(memory, path, alive);

@@ -64,7 +64,8 @@ void path_after(INOUT(PathMemory) memory, Path path, bool alive) {
 vec3 path_finish(PathMemory memory, Path path, vec3 disk) {
     vec3 brought = path.throughput * (memory.share * sky_radiance(path.ray.direction) + disk);
     vec3 gathered = path.gathered + memory.found;
-    return path.escaped || !is_finite(brought) ? gathered + brought : gathered;
+    if (path.escaped || !is_finite(brought)) gathered += brought;
+    return gathered;
 }
 
 #include "light/path.glsl"

@@ -7,5 +7,7 @@ const float ROULETTE_SURVIVAL = 0.95;
 // The probability of going on after so many hits; 0 for a path that is worth nothing.
 float roulette_survival(vec3 throughput, int hits) {
     float brightest = max(throughput.x, max(throughput.y, throughput.z));
-    return brightest <= 0.0 ? 0.0 : hits < ROULETTE_HITS ? 1.0 : min(brightest, ROULETTE_SURVIVAL);
+    float late = min(brightest, ROULETTE_SURVIVAL);
+    float survival = hits < ROULETTE_HITS ? 1.0 : late;
+    return brightest <= 0.0 ? 0.0 : survival;
 }

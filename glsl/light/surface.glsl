@@ -25,9 +25,11 @@ Hit surface_reported(Ray ray) {
 // hit_plane(ray, vec3(0.0, 1.0, 1.0), ...). A normal whose length is 1 up to roundings stays as it is.
 Hit surface_faced(Hit hit, Ray ray) {
     float squared = dot(hit.normal, hit.normal);
-    hit.normal = abs(squared - 1.0) > 1.0e-5 && hit.t < INFINITY ? hit.normal * inversesqrt(squared) : hit.normal;
+    vec3 unit = hit.normal * inversesqrt(squared);
+    hit.normal = abs(squared - 1.0) > 1.0e-5 && hit.t < INFINITY ? unit : hit.normal;
     hit.inside = dot(hit.normal, ray.direction) > 0.0;
-    hit.normal = hit.inside ? -hit.normal : hit.normal;
+    vec3 opposite = -hit.normal;
+    hit.normal = hit.inside ? opposite : hit.normal;
     return hit;
 }
 
@@ -50,6 +52,7 @@ Material surface_material(Hit hit) {
         material.roughness = clamp(material.roughness, 0.0, 1.0);
         material.ior = max(material.ior, SURFACE_LEAST_IOR);
     }
-    material.ior = hit.inside ? 1.0 / material.ior : material.ior;
+    float inverse_ior = 1.0 / material.ior;
+    material.ior = hit.inside ? inverse_ior : material.ior;
     return material;
 }

@@ -26,8 +26,10 @@ float author_density(vec3 centre, float radius, vec3 direction) {
     float half_chord = sqrt(max(radius * radius - dot(miss, miss), 0.0));
     float far = middle + half_chord;
     float outside = 2.0 * half_chord * (3.0 * middle * middle + half_chord * half_chord);
-    float cubes = middle > half_chord ? outside : max(far * far * far, 0.0);
-    return half_chord > 0.0 ? cubes / (4.0 * PI * radius * radius * radius) : 0.0;
+    float inside = max(far * far * far, 0.0);
+    float cubes = middle > half_chord ? outside : inside;
+    float density = cubes / (4.0 * PI * radius * radius * radius);
+    return half_chord > 0.0 ? density : 0.0;
 }
 
 // Returns the centre of the ball for light that is reflected.
@@ -48,9 +50,12 @@ vec3 author_value(Material material, vec3 normal, vec3 incoming, vec3 outgoing) 
 // v.x chooses between the two balls. The chosen part of its range is stretched to [0,1), so that v.x serves as a random number again.
 Bounce author_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
     bool reflected = v.x < material.reflectance;
-    float rest = reflected ? v.x / material.reflectance : (v.x - material.reflectance) / (1.0 - material.reflectance);
+    float below = v.x / material.reflectance;
+    float above = (v.x - material.reflectance) / (1.0 - material.reflectance);
+    float rest = reflected ? below : above;
     float radius = reflected ? material.roughness : 1.0;
-    vec3 centre = reflected ? author_centre(material, normal, incoming) : normal;
+    vec3 moved = author_centre(material, normal, incoming);
+    vec3 centre = reflected ? moved : normal;
     vec3 direction = normalize(centre + 0.999999 * radius * pow(rest, 1.0 / 3.0) * sphere_sample(u));
     float pdf = author_pdf(material, normal, incoming, direction);
     return Bounce(direction, material.color, max(pdf, 1.0e-20), false);

@@ -27,7 +27,8 @@ float glass_cosine(float ior, vec3 tilt) {
 float glass_fresnel(float ior, float cos_in, float cos_beyond) {
     float parallel = (ior * cos_in - cos_beyond) / max(ior * cos_in + cos_beyond, 1.0e-20);
     float across = (cos_in - ior * cos_beyond) / max(cos_in + ior * cos_beyond, 1.0e-20);
-    return cos_beyond > 0.0 ? 0.5 * (parallel * parallel + across * across) : 1.0;
+    float reflectance = 0.5 * (parallel * parallel + across * across);
+    return cos_beyond > 0.0 ? reflectance : 1.0;
 }
 
 // v.x chooses between reflection and refraction, in proportion to the light that goes either way. The weight is therefore the tint alone.

@@ -52,7 +52,8 @@ float rough_metal_tilts(float alpha, vec3 normal, vec3 half_way) {
     vec3 tilt = cross(normal, half_way);
     float z = dot(normal, half_way);
     float stretched = dot(tilt, tilt) / (alpha * alpha) + z * z;
-    return z > 0.0 ? 1.0 / (PI * alpha * alpha * stretched * stretched) : 0.0;
+    float density = 1.0 / (PI * alpha * alpha * stretched * stretched);
+    return z > 0.0 ? density : 0.0;
 }
 
 // Returns the square root of Smith's function for a cosine. All masking is written with it, so that no cosine that may be 0 is divided by.

@@ -11,8 +11,8 @@ Cone cone_toward(vec3 from, vec3 centre, float radius) {
     vec3 to_centre = centre - from;
     float squared = max(dot(to_centre, to_centre), 1.0e-30);
     float sine_squared = radius * radius / squared;
-    float one_less_cos = sine_squared < 1.0 ? sine_squared / (1.0 + sqrt(max(1.0 - sine_squared, 0.0))) : 0.0;
-    return Cone(to_centre * inversesqrt(squared), one_less_cos);
+    float one_less_cos = sine_squared / (1.0 + sqrt(max(1.0 - sine_squared, 0.0)));
+    return Cone(to_centre * inversesqrt(squared), sine_squared < 1.0 ? one_less_cos : 0.0);
 }
 
 // Draws a direction that is uniform by solid angle. u is in [0,1)^2.
@@ -30,5 +30,6 @@ bool cone_holds(Cone cone, vec3 direction) {
 }
 
 float cone_pdf(Cone cone, vec3 direction) {
-    return cone_holds(cone, direction) ? 1.0 / (2.0 * PI * cone.one_less_cos) : 0.0;
+    float density = 1.0 / (2.0 * PI * cone.one_less_cos);
+    return cone_holds(cone, direction) ? density : 0.0;
 }

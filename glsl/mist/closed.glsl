@@ -13,7 +13,8 @@ vec3 mist_kept(MistWay way) {
 // The depth before the event is distributed as exp(-depth).
 MistEvent mist_event(MistWay way, vec3 throughput, float u) {
     float depth = depth_taking(u);
-    return MistEvent(depth < way.depth ? way.begin + min(mist_reached(way, depth), way.metres) : INFINITY, vec3(1.0));
+    float t = way.begin + min(mist_reached(way, depth), way.metres);
+    return MistEvent(depth < way.depth ? t : INFINITY, vec3(1.0));
 }
 
 // The depth is distributed as exp(-depth) within the way. The weight is then the same everywhere.

@@ -8,18 +8,21 @@ const float QUOTIENT_SERIES = 0.1;
 float exp_quotient(float x) {
     float y = max(x, -60.0);
     float series = 1.0 - y * (0.5 - y * (1.0 / 6.0 - y * (1.0 / 24.0 - y / 120.0)));
-    return abs(y) < QUOTIENT_SERIES ? series : (1.0 - exp(-y)) / y;
+    float quotient = (1.0 - exp(-y)) / y;
+    return abs(y) < QUOTIENT_SERIES ? series : quotient;
 }
 
 // -log(1 - q) / q, for q < 1.
 float log_quotient(float q) {
     float series = 1.0 + q * (0.5 + q * (1.0 / 3.0 + q * (0.25 + q * (0.2 + q / 6.0))));
-    return abs(q) < QUOTIENT_SERIES ? series : -log(max(1.0 - q, 1.0e-30)) / q;
+    float quotient = -log(max(1.0 - q, 1.0e-30)) / q;
+    return abs(q) < QUOTIENT_SERIES ? series : quotient;
 }
 
 // The share of the light that a depth takes away, 1 - exp(-depth).
 float share_taken(float depth) {
-    return depth < 60.0 ? depth * exp_quotient(depth) : 1.0;
+    float taken = depth * exp_quotient(depth);
+    return depth < 60.0 ? taken : 1.0;
 }
 
 // The depth that takes this share away, which is below 1.

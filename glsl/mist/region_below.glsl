@@ -5,8 +5,10 @@
 vec2 mist_span(Ray ray) {
     float above = ray.origin.y - mist_middle().y;
     float slope = ray.direction.y;
-    float crossing = abs(slope) > 1.0e-20 ? -above / slope : INFINITY;
+    float ratio = -above / slope;
+    float crossing = abs(slope) > 1.0e-20 ? ratio : INFINITY;
     bool rises = slope > 0.0;
-    vec2 level = above < 0.0 ? vec2(0.0, INFINITY) : vec2(INFINITY, 0.0);
-    return abs(slope) > 1.0e-20 ? vec2(rises ? 0.0 : crossing, rises ? crossing : INFINITY) : level;
+    vec2 level = vec2(above < 0.0 ? 0.0 : INFINITY, above < 0.0 ? INFINITY : 0.0);
+    vec2 tilted = vec2(rises ? 0.0 : crossing, rises ? crossing : INFINITY);
+    return abs(slope) > 1.0e-20 ? tilted : level;
 }

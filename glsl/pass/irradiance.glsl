@@ -8,5 +8,5 @@ uniform vec3 irradiance_size;
 vec3 sky_irradiance_over_pi(vec3 normal) {
     vec2 position = irradiance_position(normal, sun_level);
     vec2 size = vec2(irradiance_size.x, irradiance_size.y);
-    return texture(irradiance_table, (position * (size - 1.0) + 0.5) / size).rgb;
+    return textureLod(irradiance_table, (position * (size - 1.0) + 0.5) / size, 0.0).rgb;
 }

@@ -23,5 +23,5 @@ float mist_sky_share() {
 
 vec3 mist_sky(vec3 incoming) {
     vec2 size = vec2(scattered_size.x, scattered_size.y);
-    return texture(scattered_table, (scattered_position(incoming, sun_level) * (size - 1.0) + 0.5) / size).rgb;
+    return textureLod(scattered_table, (scattered_position(incoming, sun_level) * (size - 1.0) + 0.5) / size, 0.0).rgb;
 }

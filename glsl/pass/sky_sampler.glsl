@@ -20,7 +20,9 @@ vec3 sky_sample(vec2 u) {
     ivec2 size = textureSize(sky_bins, 0);
     float bins = float(size.x * size.y);
     float side = u.x < 0.5 ? 1.0 : -1.0;
-    float at = (u.x < 0.5 ? 2.0 * u.x : 2.0 * u.x - 1.0) * bins;
+    float twice = 2.0 * u.x;
+    float rest = twice - 1.0;
+    float at = (u.x < 0.5 ? twice : rest) * bins;
     int bin = min(int(at), size.x * size.y - 1);
     vec4 entry = texelFetch(sky_bins, ivec2(bin % size.x, bin / size.x), 0);
     float across = clamp((at - entry.y) / entry.z, 0.0, 1.0);

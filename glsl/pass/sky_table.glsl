@@ -12,6 +12,8 @@ vec3 sky_radiance(vec3 direction) {
     vec2 texel = vec2(position.x * (sky_table_size.x - 1.0) + 0.5,
                       position.y * (sky_table_size.y - 1.0) + 0.5 + position.z * sky_table_size.y);
     vec2 at = texel / vec2(sky_table_size.x, 2.0 * sky_table_size.y);
-    SkySums sums = SkySums(fourth_power(texture(sky_table_rayleigh, at).rgb), fourth_power(texture(sky_table_mie, at).rgb));
+    vec3 rayleigh = textureLod(sky_table_rayleigh, at, 0.0).rgb;
+    vec3 mie = textureLod(sky_table_mie, at, 0.0).rgb;
+    SkySums sums = SkySums(fourth_power(rayleigh), fourth_power(mie));
     return sky_light(sums, direction);
 }

@@ -20,7 +20,8 @@ vec3 sun_radiance(vec3 direction) {
     float columns = float(textureSize(sun_disk_table, 0).x);
     float across = (0.5 + sqrt(min(height, 1.0)) * (columns - 1.0)) / columns;
     bool visible = direction.y > sun_disk_heights.x && cone_holds(sun_disk(), direction);
-    return visible ? textureLod(sun_disk_table, vec2(across, 0.5), 0.0).rgb : vec3(0.0);
+    vec3 radiance = textureLod(sun_disk_table, vec2(across, 0.5), 0.0).rgb;
+    return visible ? radiance : vec3(0.0);
 }
 
 // A direction uniform in the disk, from u in [0,1)^2. The disk's solid angle, sr, is one over the density of these directions.

@@ -37,7 +37,8 @@ void main() {
         bool finite = is_finite(radiance);
         bool counts = finite && !loops_ended();
         film_reject(radiance, finite, counts);
-        group += counts ? vec4(radiance, 1.0) : vec4(0.0);
+        vec4 counted = vec4(radiance, 1.0);
+        group += counts ? counted : vec4(0.0);
         i += 1u;
     } while (i < group_samples);
     group += vec4(sun_image_sum() * (group.a / float(group_samples)), 0.0);

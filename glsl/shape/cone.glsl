@@ -12,17 +12,25 @@ Interval interval_cone(vec3 from_tip, vec3 direction, vec3 axis, float spread) {
     float b = dot(from_axis, across) - spread * spread * height * climb;
     float c = dot(from_axis, from_axis) - spread * spread * height * height;
     float discriminant = b * b - a * c;
-    if (discriminant < 0.0 && a > 0.0) return interval_none();
-    float sum = b >= 0.0 ? -b - sqrt(max(discriminant, 0.0)) : -b + sqrt(max(discriminant, 0.0));
+    float root = sqrt(max(discriminant, 0.0));
+    float lower = -b - root;
+    float upper = -b + root;
+    float sum = b >= 0.0 ? lower : upper;
     float one = sum / (abs(a) > 1.0e-20 ? a : 1.0e-20);
-    float other = sum != 0.0 ? c / sum : 0.0;
+    float quotient = c / sum;
+    float other = sum != 0.0 ? quotient : 0.0;
     float first = clamp(min(one, other), -1.0e20, 1.0e20);
     float last = clamp(max(one, other), -1.0e20, 1.0e20);
-    float enter = a > 0.0 ? first : (climb > 0.0 ? last : -1.0e20);
-    float leave = a > 0.0 ? last : (climb > 0.0 ? 1.0e20 : first);
+    // Where the ray is so steep that it stays in the cone, or comes from the mirror image.
+    float steep_enter = climb > 0.0 ? last : -1.0e20;
+    float steep_leave = climb > 0.0 ? 1.0e20 : first;
+    float enter = a > 0.0 ? first : steep_enter;
+    float leave = a > 0.0 ? last : steep_leave;
     vec3 at_enter = from_axis + enter * across;
     vec3 at_leave = from_axis + leave * across;
-    return Interval(enter, leave, at_enter - spread * length(at_enter) * axis, at_leave - spread * length(at_leave) * axis);
+    Interval inside =
+        Interval(enter, leave, at_enter - spread * length(at_enter) * axis, at_leave - spread * length(at_leave) * axis);
+    return interval_if(discriminant >= 0.0 || a <= 0.0, inside);
 }
 
 // A solid cone from the middle of its base to its tip, with `radius` at the base. It is seen from outside and from inside.

@@ -15,13 +15,20 @@ Interval interval_none() {
     return Interval(INFINITY, -INFINITY, vec3(0.0), vec3(0.0));
 }
 
+// Returns the interval if the ray meets the solid, and interval_none() otherwise. It has one end, and its `?:` choose between names: see
+// README.md, "What WebGL refuses". The normals of an interval that is none are not looked at.
+Interval interval_if(bool meets, Interval interval) {
+    interval.enter = meets ? interval.enter : INFINITY;
+    interval.leave = meets ? interval.leave : -INFINITY;
+    return interval;
+}
+
 Interval interval_both(Interval a, Interval b) {
     bool a_enters = a.enter >= b.enter;
     bool a_leaves = a.leave <= b.leave;
     Interval both = Interval(a_enters ? a.enter : b.enter, a_leaves ? a.leave : b.leave,
                              a_enters ? a.enter_normal : b.enter_normal, a_leaves ? a.leave_normal : b.leave_normal);
-    if (both.enter >= both.leave) return interval_none();
-    return both;
+    return interval_if(both.enter < both.leave, both);
 }
 
 Interval interval_either(Interval a, Interval b) {
@@ -33,11 +40,14 @@ Interval interval_either(Interval a, Interval b) {
 
 // Returns the part of a ray between two planes, where |height + t slope| <= half_thickness. Height is measured along the unit vector `normal`.
 Interval interval_slab(float height, float slope, float half_thickness, vec3 normal) {
-    float inverse = abs(slope) > 1.0e-20 ? 1.0 / slope : 1.0e20;
+    float inverse = 1.0e20;
+    if (abs(slope) > 1.0e-20) inverse = 1.0 / slope;
     float low = (-half_thickness - height) * inverse;
     float high = (half_thickness - height) * inverse;
-    vec3 onward = inverse >= 0.0 ? normal : -normal;
-    return Interval(min(low, high), max(low, high), -onward, onward);
+    vec3 opposite = -normal;
+    vec3 onward = inverse >= 0.0 ? normal : opposite;
+    vec3 backward = inverse >= 0.0 ? opposite : normal;
+    return Interval(min(low, high), max(low, high), backward, onward);
 }
 
 // Returns the part of a ray in a sphere. `to_centre` leads from the ray's origin to the sphere's centre.
@@ -46,10 +56,10 @@ Interval interval_sphere(vec3 to_centre, vec3 direction, float radius) {
     float middle = dot(to_centre, direction);
     vec3 miss = to_centre - middle * direction;
     float discriminant = radius * radius - dot(miss, miss);
-    if (discriminant <= 0.0) return interval_none();
-    float half_chord = sqrt(discriminant);
-    return Interval(middle - half_chord, middle + half_chord, (-half_chord * direction - miss) / radius,
-                    (half_chord * direction - miss) / radius);
+    float half_chord = sqrt(max(discriminant, 0.0));
+    Interval inside = Interval(middle - half_chord, middle + half_chord, (-half_chord * direction - miss) / radius,
+                               (half_chord * direction - miss) / radius);
+    return interval_if(discriminant > 0.0, inside);
 }
 
 // Returns the part of a ray in an endless cylinder about an axis. `to_centre` leads from the ray's origin to a point of the axis, and `axis` has
@@ -61,10 +71,10 @@ Interval interval_cylinder(vec3 to_centre, vec3 direction, vec3 axis, float radi
     float middle = -dot(from_axis, across) / speed;
     vec3 miss = from_axis + middle * across;
     float discriminant = radius * radius - dot(miss, miss);
-    if (discriminant <= 0.0) return interval_none();
-    float half_chord = sqrt(discriminant / speed);
-    return Interval(middle - half_chord, middle + half_chord, (miss - half_chord * across) / radius,
-                    (miss + half_chord * across) / radius);
+    float half_chord = sqrt(max(discriminant, 0.0) / speed);
+    Interval inside = Interval(middle - half_chord, middle + half_chord, (miss - half_chord * across) / radius,
+                               (miss + half_chord * across) / radius);
+    return interval_if(discriminant > 0.0, inside);
 }
 
 // Replaces `hit` by the interval's nearest end ahead of the ray's origin, if that is nearer than `hit`.

@@ -8,7 +8,8 @@
 void hit_plane_minus_sphere(Ray ray, vec3 normal, float offset, vec3 centre, float radius, int object, INOUT(Hit) hit) {
     float height = dot(normal, ray.origin) - offset;
     float descent = -dot(normal, ray.direction);
-    float crossing = descent != 0.0 ? height / descent : INFINITY;
+    float ratio = height / descent;
+    float crossing = descent != 0.0 ? ratio : INFINITY;
 
     vec3 to_centre = centre - ray.origin;
     float middle = dot(to_centre, ray.direction);
@@ -19,11 +20,14 @@ void hit_plane_minus_sphere(Ray ray, vec3 normal, float offset, vec3 centre, flo
     bool above = height > 0.0;
     bool meets_plane = above && descent > 0.0;
     bool on_plane = meets_plane && dot(from_centre, from_centre) > radius * radius;
-    bool in_bowl = meets_plane ? !on_plane : !above && (descent >= 0.0 || leaves_sphere < crossing);
-    float t = on_plane ? crossing : max(leaves_sphere, above ? crossing : 0.0);
+    bool from_bowl = !above && (descent >= 0.0 || leaves_sphere < crossing);
+    bool in_bowl = meets_plane ? !on_plane : from_bowl;
+    float on_bowl = max(leaves_sphere, above ? crossing : 0.0);
+    float t = on_plane ? crossing : on_bowl;
     if ((on_plane || in_bowl) && t < hit.t) {
         hit.t = t;
-        hit.normal = on_plane ? normal : normalize(to_centre - t * ray.direction);
+        vec3 inward = normalize(to_centre - t * ray.direction);
+        hit.normal = on_plane ? normal : inward;
         hit.object = object;
     }
 }

@@ -8,7 +8,9 @@ bool sphere_meets(vec3 to_centre, vec3 direction, float radius, OUT(float) t) {
     vec3 miss = to_centre - middle * direction;
     float discriminant = radius * radius - dot(miss, miss);
     float half_chord = sqrt(max(discriminant, 0.0));
-    t = middle > half_chord ? middle - half_chord : middle + half_chord;
+    float enter = middle - half_chord;
+    float leave = middle + half_chord;
+    t = middle > half_chord ? enter : leave;
     return discriminant > 0.0 && t > 0.0;
 }
 

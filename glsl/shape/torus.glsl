@@ -18,11 +18,14 @@ float torus_turn(float c, float d, float low, float high) {
     float t = 0.5 * (low + high);
     for (int i = 0; i < 10; i++) {
         float value = (4.0 * t * t + 2.0 * c) * t + d;
-        if (value * at_low > 0.0) low = t;
-        else high = t;
+        bool before = value * at_low > 0.0;
+        low = before ? t : low;
+        high = before ? high : t;
         float slope = 12.0 * t * t + 2.0 * c;
-        float newton = slope != 0.0 ? t - value / slope : low;
-        t = newton > low && newton < high ? newton : 0.5 * (low + high);
+        float step = t - value / slope;
+        float newton = slope != 0.0 ? step : low;
+        float middle = 0.5 * (low + high);
+        t = newton > low && newton < high ? newton : middle;
     }
     return t;
 }
@@ -33,10 +36,13 @@ float torus_meet(vec3 near, vec3 direction, vec3 axis, float major, float minor,
     float t = 0.5 * (low + high);
     for (int i = 0; i < 24; i++) {
         vec2 d = torus_distance(near + t * direction, direction, axis, major, minor);
-        if (d.x * side > 0.0) low = t;
-        else high = t;
-        float newton = d.y != 0.0 ? t - d.x / d.y : low;
-        float next = newton > low && newton < high ? newton : 0.5 * (low + high);
+        bool before = d.x * side > 0.0;
+        low = before ? t : low;
+        high = before ? high : t;
+        float step = t - d.x / d.y;
+        float newton = d.y != 0.0 ? step : low;
+        float middle = 0.5 * (low + high);
+        float next = newton > low && newton < high ? newton : middle;
         if (abs(d.x) <= 1.2e-7 * minor || abs(next - t) <= 3.0e-8 * major) break;
         t = next;
     }

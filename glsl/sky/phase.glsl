@@ -11,7 +11,9 @@ float rayleigh_phase(vec3 view, vec3 sun) {
 float mie_phase(float g, vec3 view, vec3 sun) {
     float nu = dot(view, sun);
     float magnitude = abs(g);
-    vec3 from_peak = g < 0.0 ? view + sun : view - sun;
+    vec3 apart = view - sun;
+    vec3 together = view + sun;
+    vec3 from_peak = g < 0.0 ? together : apart;
     float denominator = (1.0 - magnitude) * (1.0 - magnitude) + magnitude * dot(from_peak, from_peak);
     float scale = 3.0 / (8.0 * PI) * (1.0 - g) * (1.0 + g) / (2.0 + g * g);
     return scale * (1.0 + nu * nu) / (denominator * sqrt(denominator));

@@ -43,7 +43,9 @@ AimCut aim_first(vec4 node) {
 
 AimCut aim_second(vec4 node, bool upper) {
     int axes = int(node.w);
-    return AimCut(upper ? node.z : node.y, upper ? axes >= 4 : axes - axes / 4 * 4 >= 2);
+    bool upper_across = axes >= 4;
+    bool lower_across = axes - axes / 4 * 4 >= 2;
+    return AimCut(upper ? node.z : node.y, upper ? upper_across : lower_across);
 }
 
 void aim_step(INOUT(AimWalk) walk, AimCut first, bool upper, AimCut second, bool upper_second) {
@@ -64,7 +66,8 @@ void aim_find(INOUT(AimWalk) walk, vec2 at) {
 bool aim_choose(INOUT(vec2) u, bool across) {
     float twice = 2.0 * (across ? u.y : u.x);
     bool upper = twice >= 1.0;
-    float rest = upper ? twice - 1.0 : twice;
+    float above = twice - 1.0;
+    float rest = upper ? above : twice;
     u = vec2(across ? u.x : rest, across ? rest : u.y);
     return upper;
 }

@@ -26,12 +26,14 @@ void sun_count(SunState state, vec3 worth, vec3 direction, vec3 brought) {
     bool near = counts && sun_is_near(direction);
     bool met = max(brought.x, max(brought.y, brought.z)) > 0.0;
     chance_paths += counts ? 1.0 : 0.0;
-    chance_near += near ? state.chance * worth : vec3(0.0);
+    vec3 share = state.chance * worth;
+    chance_near += near ? share : vec3(0.0);
     chance_found += counts ? brought : vec3(0.0);
-    chance_materials |= near ? chance_bit(state.thrower) : 0;
+    int thrower = chance_bit(state.thrower);
+    chance_materials |= near ? thrower : 0;
     vec3 found = worth * sun_irradiance();
     float square = state.chance * state.peak * dot(found, found) / (3.0 * sun_near_solid_angle());
     if (near && state.scattered) chance_squares += square * chance_slot(state.thrower);
-    if (met && counts && state.scattered) chance_met |= chance_bit(state.thrower);
+    if (met && counts && state.scattered) chance_met |= thrower;
     if (met && !state.scattered) chance_materials |= 1 << CHANCE_IMAGE;
 }
