@@ -173,21 +173,21 @@ async function finished() {
     gl.deleteSync(sync);
 }
 
-// Draws into all of a target in strips of rows. `pace` keeps how many pixels a millisecond takes, and `stale` says whether the rest is still wanted.
-async function draw(made, values, textures, into, pace, stale = () => false) {
-    for (let row = 0; row < into.height;) {
-        const rows = Math.max(1, Math.min(into.height - row, Math.round((STRIP_MS * pace.speed) / into.width))), begin = performance.now();
+// Draws into a rectangle of a target, all of it if none is given, in strips of rows. `pace` keeps how many pixels a millisecond takes, and `stale` says whether the rest is still wanted.
+async function draw(made, values, textures, into, pace, stale = () => false, [left, top, width, height] = [0, 0, into.width, into.height]) {
+    for (let row = 0; row < height;) {
+        const rows = Math.max(1, Math.min(height - row, Math.round((STRIP_MS * pace.speed) / width))), begin = performance.now();
         gl.useProgram(made.id);
         set(made, values);
         give(made, textures);
         gl.bindFramebuffer(gl.FRAMEBUFFER, into.framebuffer);
         gl.viewport(0, 0, into.width, into.height);
-        gl.scissor(0, row, into.width, rows);
+        gl.scissor(left, top + row, width, rows);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
         await finished();
-        pace.speed = Math.min(2 * pace.speed, (rows * into.width) / Math.max(performance.now() - begin, 0.05));
+        pace.speed = Math.min(2 * pace.speed, (rows * width) / Math.max(performance.now() - begin, 0.05));
         row += rows;
-        if (row < into.height && stale()) throw new Stale();
+        if (row < height && stale()) throw new Stale();
     }
 }
 
@@ -197,6 +197,7 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const scaled = (v, length) => v.map((x) => (x * length) / Math.hypot(...v));
 const minus = (a, b) => a.map((x, i) => x - b[i]);
+const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 
 function direction_of(elevation, azimuth) {
     const level = [Math.sin(azimuth * RADIANS), 0, Math.cos(azimuth * RADIANS)], c = Math.cos(elevation * RADIANS);
@@ -218,10 +219,30 @@ function computed(state, air, width, height) {
         picture_size: [width, height, 0], iResolution: [width, height, 1], iTime: [state.time], iMouse: [0, 0, 0, 0], iFrame: [0],
         seed: [DATA.seed], film_first: [0], film_zero: [0], ...state.values,
     };
-    const high = elevation + air.radius > 90 ? 1 : Math.sin((elevation + air.radius) * RADIANS);
-    const low = elevation - air.radius < -90 ? -1 : Math.sin((elevation - air.radius) * RADIANS);
-    values.sun_disk_heights = [Math.max(low, air.horizon), high, 0];
+    const sine = (degrees) => Math.sin(clamp(degrees, -90, 90) * RADIANS), high = sine(elevation + air.radius), low = Math.max(sine(elevation - air.radius), air.horizon);
+    // A point well inside of the visible disk.
+    const lift = Math.tan(Math.max((Math.asin(low) / RADIANS + Math.min(elevation + air.radius, 90)) / 2 - elevation, 0) * RADIANS), { level: across } = direction_of(0, azimuth + 90);
+    const up = cross(direction, across), heart = direction.map((x, i) => x + lift * up[i]), rim = [];
+    for (let angle = 0; angle < 360; angle += 6) {
+        const [c, s] = [Math.cos(angle * RADIANS), Math.sin(angle * RADIANS)], out = Math.tan(1.01 * air.radius * RADIANS);
+        rim.push(project(camera, direction.map((x, i) => x + out * (c * up[i] + s * across[i])), width, height));
+    }
+    values.sun_disk_heights = [low, high, 0];
+    values.sun_image_heart = project(camera, heart, width, height) || [-1, -1, 0];
+    // Where the disk is in the picture: all of it where a part of the disk is behind the camera and a part is not.
+    const ahead = rim.filter(Boolean), edge = (axis, pick, most) => clamp(pick(...ahead.map((at) => at[axis])), 0, most);
+    const whole = ahead.length === rim.length, left = whole ? Math.floor(edge(0, Math.min, width)) : 0, top = whole ? Math.floor(edge(1, Math.min, height)) : 0;
+    const size = [(whole ? Math.ceil(edge(0, Math.max, width)) : width) - left, (whole ? Math.ceil(edge(1, Math.max, height)) : height) - top];
+    values.disk = ahead.length && high > low && size[0] > 0 && size[1] > 0 ? [left, top, ...size] : null;
+    values.sun_image_corner = values.disk && whole ? [left, top, 0] : [-9, 0, 0];
+    values.cover = values.disk && whole ? size : [1, 1];
     return values;
+}
+
+// In pixels; null behind the camera.
+function project(camera, direction, width, height) {
+    const ahead = dot(direction, camera.forward), along = (axis) => dot(direction, axis) / dot(axis, axis) / ahead;
+    return ahead > 0 ? [((1 + along(camera.right)) / 2) * width, ((1 - along(camera.up)) / 2) * height, 0] : null;
 }
 
 // The variant that draws a state: its switches choose among those of the preset.
@@ -242,7 +263,7 @@ async function fill(step, values, textures, made, stale) {
     const key = JSON.stringify([step.table, step.draws, values.size, serials, drawn && drawn.uniforms.map((uniform) => value_of(uniform, values))]);
     let table = tables[step.place];
     if (!table || table.key !== key) {
-        const [width, height] = values.size, samplers = step.samplers.split(" "), half = step.linear && !filtered;
+        const [width, height] = values.size[0] ? values.size : values.cover, samplers = step.samplers.split(" "), half = step.linear && !filtered;
         const count = samplers.length > 1 && samplers[1] ? 2 : 1, filter = step.linear ? gl.LINEAR : gl.NEAREST;
         if (table) drop(table);
         tables[step.place] = null;
@@ -345,8 +366,24 @@ async function begin_picture(state, width, height, shrink, stale) {
     picture.program = await program(picture.step.draws);
     picture.pace = picture.step.pace ??= { speed: 20 };
     picture.film = film_of(w, h, coarse ? "preview" : "picture");
+    if ("image" in picture.step) await begin_image(picture, w, h);
     empty(picture.film);
     return picture;
+}
+
+// The sun's own image is drawn by itself before each group, where it may be: in the disk's rectangle, or anywhere if there are mirrors.
+async function begin_image(picture, width, height) {
+    const where = picture.step.mirrors ? [0, 0, width, height] : picture.values.disk, [w, h] = where ? [width, height] : [1, 1];
+    const image = (films.image ??= { width: 0 });
+    if (image.width !== w || image.height !== h) {
+        if (image.width) drop(image);
+        Object.assign(image, target(w, h, 1, gl.RGBA32F, gl.NEAREST));
+    }
+    gl.bindFramebuffer(gl.FRAMEBUFFER, image.framebuffer);
+    gl.scissor(0, 0, w, h);
+    gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
+    picture.image = where && { program: await program(picture.step.image), into: image, where, pace: (picture.step.image_pace ??= { speed: 5 }) };
+    picture.textures.sun_image_sums = image.textures[0];
 }
 
 // Adds a group of samples to each pixel.
@@ -356,6 +393,7 @@ async function add_samples(picture, group, stale) {
     values.iFrame = [Math.floor(film.samples / picture.step.group)];
     textures.film_sum = front.textures[0];
     textures.film_rest = front.textures[1];
+    if (picture.image) await draw(picture.image.program, values, textures, picture.image.into, picture.image.pace, stale, picture.image.where);
     picture.pace.speed /= group;
     try {
         await draw(picture.program, values, textures, back, picture.pace, stale);

@@ -1,5 +1,5 @@
 // The page: its state, what changes it, and the loop that draws it.
-const by_id = (id) => document.getElementById(id), clamp = (x, low, high) => Math.min(Math.max(x, low), high);
+const by_id = (id) => document.getElementById(id);
 const size = [DATA.width, DATA.height];
 let state = state_of(""), version = 0, moved_ms = -Infinity, paused = false, limit = MOST_SAMPLES, previews = true;
 let picture = null, shown = 0, rate = 0, frames = 0, wake = () => {}, trouble = "";

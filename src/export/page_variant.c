@@ -226,6 +226,8 @@ static bool write_film(const Writer *writer) {
     json_text(&json, "table", "film");
     json_count(&json, "draws", (uint64_t)trace);
     if (image >= 0) json_count(&json, "image", (uint64_t)image);
+    if (image >= 0)
+        json_flag(&json, "mirrors", scene_hint_count(writer->params->scene, HINT_MIRROR_SPHERE) > 0);
     json_count(&json, "group", writer->plan->group_samples);
     json_end(&json, writer->file);
     return true;
