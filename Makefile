@@ -72,11 +72,12 @@ $(TESTS:=.o): | cmocka
 cmocka:
 	@pkg-config --exists cmocka || tools/deps.sh --missing $(TEST_NEEDS)
 
-# The files that stand in every page that is exported, as strings (src/export/embedded.h).
-$(BUILD)/src/export/embedded.c: src/export/page.html src/export/page.css src/export/page_draw.js src/export/page_panel.js
+# The files that stand in every page that is exported, as strings (src/export/embedded.h), without indentation and without lines of comments.
+EMBEDDED := src/export/page.html src/export/page.css src/export/page_draw.js src/export/page_panel.js
+$(BUILD)/src/export/embedded.c: $(EMBEDDED) Makefile
 	@mkdir -p $(@D)
-	@{ echo '#include "export/embedded.h"'; for file in $^; do \
-	    echo "const char embedded_$$(basename $$file | tr . _)[] = {"; od -An -v -td1 $$file | sed 's/\([0-9]\)\( \|$$\)/\1,/g'; echo "0};"; done; } > $@
+	@{ echo '#include "export/embedded.h"'; for file in $(EMBEDDED); do \
+	    echo "const char embedded_$$(basename $$file | tr . _)[] = {"; sed 's/^ *//; /^\/\//d' $$file | od -An -v -td1 | sed 's/\([0-9]\)\( \|$$\)/\1,/g'; echo "0};"; done; } > $@
 
 $(BUILD)/src/export/embedded.o: $(BUILD)/src/export/embedded.c $(BUILD)/flags
 	@echo compile $<

@@ -12,11 +12,27 @@ static const char head[] = "#version 300 es\n"
                            "precision highp int;\n"
                            "precision highp sampler2D;\n";
 
+static bool is_word(char c) {
+    return isalnum((unsigned char)c) || c == '_';
+}
+
+/* Whether two tokens need a blank between them, so that they do not become another: `in vec3`, `a - -b`. */
+static bool needs_blank(char before, char after) {
+    return (is_word(before) && is_word(after)) || (strchr("+-", before) && strchr("+-", after));
+}
+
+/* Blanks between tokens are left out, but for directives, in which they may mean something. */
 static void write_line(const char *line, size_t length, Text *out) {
     while (length && isspace((unsigned char)*line)) line++, length--;
     while (length && isspace((unsigned char)line[length - 1])) length--;
     if (!length) return;
-    text_append(out, line, length);
+    for (size_t i = 0; i < length; i++) {
+        size_t end = i;
+        while (*line != '#' && isspace((unsigned char)line[end])) end++;
+        if (end > i && needs_blank(line[i - 1], line[end])) text_append(out, " ", 1);
+        i = end;
+        text_append(out, line + i, 1);
+    }
     text_append(out, "\n", 1);
 }
 

@@ -155,10 +155,8 @@ function give(made, textures) {
 }
 
 // ---- Draws.
-const channel = new MessageChannel(), waiting = [];
-channel.port1.onmessage = () => waiting.shift()();
-// Lets the browser do other things. Timers would wait four milliseconds.
-const pause = () => new Promise((go) => { waiting.push(go); channel.port2.postMessage(0); });
+// Lets the browser do other things.
+const pause = () => new Promise((go) => setTimeout(go, 0));
 
 // Waits for the draws without blocking the page.
 async function finished() {
@@ -265,10 +263,12 @@ async function fill(step, values, textures, made, stale) {
     if (!table || table.key !== key) {
         const [width, height] = values.size[0] ? values.size : values.cover, samplers = step.samplers.split(" "), half = step.linear && !filtered;
         const count = samplers.length > 1 && samplers[1] ? 2 : 1, filter = step.linear ? gl.LINEAR : gl.NEAREST;
-        if (table) drop(table);
+        const again = drawn && table && table.draws === step.draws && table.width === width && table.height === height;
+        if (table && !again) drop(table);
         tables[step.place] = null;
         if (drawn) {
-            table = target(width, height, count, half ? gl.RGBA16F : gl.RGBA32F, filter);
+            if (!again) table = target(width, height, count, half ? gl.RGBA16F : gl.RGBA32F, filter);
+            table.draws = step.draws;
             const reads = { ...textures };
             for (const read of step.reads.split(" ").filter(Boolean)) {
                 const [name, place, output] = read.split(/[=.]/);
