@@ -47,7 +47,7 @@ static Status run(const Options *options, int argc, char **argv, Error *error) {
     case COMMAND_INFO:
         return cmd_info(options, error);
     case COMMAND_EXPORT:
-        return cmd_export(options, error);
+        return cmd_export(options, argc, argv, error);
     case COMMAND_FLATTEN:
         return cmd_flatten(options, error);
     case COMMAND_SKY:

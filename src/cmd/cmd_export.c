@@ -3,6 +3,7 @@
 #include "cmd/cmd.h"
 #include "cmd/setup.h"
 #include "export/page.h"
+#include "export/toy.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -66,17 +67,47 @@ static bool write_page(const Options *options, const PageState *states, int coun
     return ok;
 }
 
-Status cmd_export(const Options *options, Error *error) {
-    char *library = NULL;
+static bool export_page(const Options *options, const char *library, Error *error) {
     PageState *states = NULL;
     int count = 0;
-    if (options->output_count != 1)
-        return error_set(error, STATUS_USAGE, "where to? (-o FILE.html, once)"), error->status;
-    bool ok = file_check_target(options->outputs[0], error) && setup_library(options, &library, error) &&
+    bool ok = file_check_target(options->outputs[0], error) &&
               read_states(options, library, &states, &count, error) &&
               write_page(options, states, count, error);
     for (int i = 0; i < count; i++) scene_destroy(&states[i].scene);
     free(states);
+    return ok;
+}
+
+/* The command is what the user typed. */
+static bool export_toy(const Options *options, const char *library, int argc, char **argv, Error *error) {
+    Scene scene;
+    Text command = {0};
+    if (!setup_scene(options, library, &scene, error)) return false;
+    const RenderParams params = {.scene = &scene,
+                                 .sky = options->sky,
+                                 .light = options->light,
+                                 .sequence = options->sequence,
+                                 .further = options->further,
+                                 .sun_disk = options->sun_disk,
+                                 .seed = options->seed,
+                                 .max_hits = options->depth};
+    text_print(&command, "magichour ");
+    text_print_command(&command, argc - 1, argv + 1);
+    bool ok = toy_export_write(&params, text_string(&command), options->outputs[0], error);
+    text_free(&command);
+    scene_destroy(&scene);
+    return ok;
+}
+
+Status cmd_export(const Options *options, int argc, char **argv, Error *error) {
+    char *library = NULL;
+    if (options->output_count != 1) {
+        error_set(error, STATUS_USAGE, "where to? (-o %s, once)", options->shadertoy ? "DIR" : "FILE.html");
+        return error->status;
+    }
+    bool ok = setup_library(options, &library, error) &&
+              (options->shadertoy ? export_toy(options, library, argc, argv, error)
+                                  : export_page(options, library, error));
     free(library);
     return ok ? STATUS_DONE : error->status;
 }

@@ -111,6 +111,9 @@ typedef struct Options {
     /* The orders of scattering, "all" or a number, and how those beyond the first are computed. */
     const char *orders, *further;
 
+    /* For `export`: the texts for Shadertoy in place of a page. */
+    bool shadertoy;
+
     bool quiet, verbose;
     /* Whether the files of the shader are listed. */
     bool files;

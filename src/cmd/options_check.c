@@ -88,6 +88,10 @@ void options_warn(const Options *options) {
         warn(options->glsl_dir && !options->input_count, "--glsl-dir", "there is no scene");
         if (!options->input_count) warn_no_scene(options);
         break;
+    case COMMAND_EXPORT:
+        warn(options->shadertoy && options->width, "--size",
+             "a picture on Shadertoy has the size of its window");
+        break;
     case COMMAND_FLATTEN:
         warn(options->all && options->json, "--all", "--json prints every program already");
         break;

@@ -86,6 +86,7 @@ static bool read_sun_disk(Line *line, Error *error) {
     bool on = line->count == 2 && strcmp(line->words[1], "on") == 0;
     if (!on && (line->count != 2 || strcmp(line->words[1], "off") != 0))
         return error_set(error, STATUS_SCENE, "sun-disk needs on or off");
+    line->file->sun_disk_line = line->number;
     line->file->values.sun_disk = on;
     return true;
 }
@@ -111,6 +112,7 @@ static bool read_sky(Line *line, Error *error) {
 
 static bool read_atmosphere(Line *line, Error *error) {
     if (line->count != 2) return error_set(error, STATUS_SCENE, "atmosphere needs a preset's name");
+    line->file->atmosphere_line = line->number;
     return atmosphere_choose(&line->file->values.atmosphere, line->words[1], error);
 }
 
