@@ -1,5 +1,8 @@
 #include "export/constants.h"
 
+#include "source/glsl_scan.h"
+#include "source/glsl_uniforms.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -182,14 +185,30 @@ static bool put(const GlslTokens *tokens, const ConstantsParams *params, const D
                      (int)name->size, tokens->text + name->at);
 }
 
+/* The names of the uniforms that `#if 0` does not leave out. */
+static void find_declared(const GlslTokens *tokens, Names *declared) {
+    GlslScan scan = glsl_scan(tokens->text);
+    GlslUniforms uniforms = glsl_uniforms(scan.code);
+    for (int i = 0; i < uniforms.count; i++)
+        names_add(declared, uniforms.items[i].name, strlen(uniforms.items[i].name));
+    glsl_uniforms_free(&uniforms);
+    glsl_scan_free(&scan);
+}
+
 bool constants_put(const GlslTokens *tokens, const ConstantsParams *params, TextEdits *edits, Error *error) {
     static const char *const precisions[] = {"highp", "mediump", "lowp", NULL};
-    for (int i = 0; i + 3 < tokens->count; i++) {
+    Names declared = {0};
+    bool ok = true;
+    find_declared(tokens, &declared);
+    for (int i = 0; ok && i + 3 < tokens->count; i++) {
         if (!glsl_token_is(tokens, i, "uniform") || tokens->list[i].directive) continue;
         int type = glsl_token_among(tokens, i + 1, precisions) ? i + 2 : i + 1;
         Declaration declaration = {i, type, type + 1, glsl_token_semicolon(tokens, i)};
-        if (declaration.end >= tokens->count) continue;
-        if (!put(tokens, params, &declaration, edits, error)) return false;
+        const GlslToken *name = &tokens->list[type + 1];
+        if (declaration.end < tokens->count &&
+            names_find(&declared, tokens->text + name->at, name->size) >= 0)
+            ok = put(tokens, params, &declaration, edits, error);
     }
-    return true;
+    names_free(&declared);
+    return ok;
 }

@@ -66,6 +66,8 @@ static void cut(Pieces *pieces, const GlslTokens *tokens) {
         Piece piece = {.from = i, .to = i + 1, .defines = -1, .name = -1};
         if (!tokens->list[i].directive) {
             piece.to = end_of(tokens, i);
+            /* Directives behind a body are pieces of their own. */
+            while (piece.to > i + 1 && tokens->list[piece.to - 1].directive) piece.to--;
             int name = name_of(tokens, i);
             if (name >= 0 && name < piece.to && !declares_many(tokens, &piece))
                 piece.defines = piece.name =

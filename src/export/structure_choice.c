@@ -1,5 +1,6 @@
 #include "export/structure_choice.h"
 
+#include "source/glsl_scan.h"
 #include "source/glsl_tokens.h"
 
 #include <string.h>
@@ -45,7 +46,8 @@ static int structure_chosen(const GlslTokens *tokens, int i, const Names *struct
 }
 
 bool structure_choice_check(const GlslSource *source, Error *error) {
-    GlslTokens tokens = glsl_tokens(text_string(&source->text));
+    GlslScan scan = glsl_scan(text_string(&source->text));
+    GlslTokens tokens = glsl_tokens(scan.code);
     Names structures = {0};
     bool ok = true;
     add_structures(&tokens, &structures);
@@ -59,5 +61,6 @@ bool structure_choice_check(const GlslSource *source, Error *error) {
     }
     names_free(&structures);
     glsl_tokens_free(&tokens);
+    glsl_scan_free(&scan);
     return ok;
 }

@@ -1,6 +1,7 @@
 #include "export/toy_hold.h"
 
 #include "render/passes.h"
+#include "sky/scattered.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -46,6 +47,9 @@ static bool hold_scene(const Plan *plan, const RenderParams *params, Error *erro
     if (file->spheres[0])
         return refuse(file, file->spheres_line, "the tree of hit_spheres()",
                       "a few spheres may be written as hit_sphere()", error);
+    if (sky_is_scattered(&plan->sky, params->scene))
+        return refuse(file, file->mist.line, "the table of this sky's light in mist",
+                      "--set mist=off leaves the mist out, and --sky gauss:6 needs no such table", error);
     if (plan->has_further && plan->sky.method->integrates)
         return refuse(file, file->atmosphere_line,
                       "light that is scattered more than once or comes from the planet's ground, which fills "
