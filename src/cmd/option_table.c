@@ -22,8 +22,8 @@ const CommandRow command_table[] = {
      "pictures of other samples or other pixels of the same picture become one", 1, MOST_INPUTS},
     {COMMAND_SWEEP, "sweep", "sweep SCENE -o DIR [options] [-- options of render]",
      "the list of jobs of a time-lapse: a render for each place of the sun", 1, MOST_INPUTS},
-    {COMMAND_EXPORT, "export", "export SCENE -o FILE.html [options]",
-     "a page that draws the scene in any browser", 1, 1},
+    {COMMAND_EXPORT, "export", "export SCENE -o FILE.html | --shadertoy -o DIR [options]",
+     "a page that draws the scene in any browser, or its texts for Shadertoy", 1, 1},
     {COMMAND_HELP, "help", "help [COMMAND]", "the commands, or a command's options", 0, 1},
     {COMMAND_VERSION, "version", "version", "the program's version", 0, 0},
 };
