@@ -34,14 +34,22 @@ static int add_variant(Data *data, char *lines) {
     return number;
 }
 
+/* What the script computes the sun and the light in mist from: `forward` is the mist's `g`, a number or a
+ * slider's name. */
+static void write_air(const Scene *scene, Text *lines) {
+    const char *forward = scene->file->mist.words[MIST_FORWARD];
+    text_print(lines, "{\"horizon\": %.9g, \"radius\": %.9g, \"forward\": \"%s\"}\n",
+               sky_horizon_sine(&scene->values.atmosphere), scene->values.sun.radius_deg,
+               *forward ? forward : "0");
+}
+
 /* The number of the variant that draws the scene. */
 static bool find_variant(Data *data, const Scene *scene, int *number) {
     RenderParams render = data->render;
     Plan plan;
     Text lines = {0};
     render.scene = scene;
-    text_print(&lines, "{\"horizon\": %.9g, \"radius\": %.9g}\n", sky_horizon_sine(&scene->values.atmosphere),
-               scene->values.sun.radius_deg);
+    write_air(scene, &lines);
     bool ok = page_plan(&plan, &render, data->error) &&
               page_variant_write(&plan, &render, &data->texts, &lines, data->error);
     if (ok) *number = add_variant(data, lines.data);

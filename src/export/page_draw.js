@@ -225,6 +225,9 @@ function computed(state, air, width, height) {
         const [c, s] = [Math.cos(angle * RADIANS), Math.sin(angle * RADIANS)], out = Math.tan(1.01 * air.radius * RADIANS);
         rim.push(project(camera, direction.map((x, i) => x + out * (c * up[i] + s * across[i])), width, height));
     }
+    const forward = Number(state.values[air.forward] || air.forward);
+    values.scattered_forward = [forward];
+    values.scattered_share = [clamp((0.75 - Math.abs(forward)) / 0.1, 0, 1)];
     values.sun_disk_heights = [low, high, 0];
     values.sun_image_heart = project(camera, heart, width, height) || [-1, -1, 0];
     // Where the disk is in the picture: all of it where a part of the disk is behind the camera and a part is not.

@@ -4,13 +4,35 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
+
+bool page_computes(const Uniform *uniform) {
+    static const char *const names[] = {"sun_direction",
+                                        "sun_level",
+                                        "sun_disk_middle",
+                                        "sun_disk_heights",
+                                        "sun_image_corner",
+                                        "sun_image_heart",
+                                        "camera_eye",
+                                        "camera_forward",
+                                        "camera_right",
+                                        "camera_up",
+                                        "picture_size",
+                                        "iResolution",
+                                        "seed",
+                                        "film_first",
+                                        "scattered_forward",
+                                        "scattered_share"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(uniform->name, names[i]) == 0) return true;
+    return !uniform->file;
+}
 
 /* The tables' uniforms are collected as resources_uniforms() would, before there are tables. */
-static PageFrame frame_at(const PageScan *scan, double elevation_deg) {
+static PageFrame frame_of_scene(const PageScan *scan, const Scene *of) {
     RenderParams params = *scan->params;
-    Scene scene = *params.scene;
+    Scene scene = *of;
     PageFrame out = {0};
-    scene_set_sun(&scene, elevation_deg, scene.values.sun.azimuth_deg);
     params.scene = &scene;
     params.use = scan->coarse ? PICTURE_PREVIEW : PICTURE_FILE;
     Camera camera = camera_of(&scene, plan_width(&params), plan_height(&params));
@@ -25,6 +47,12 @@ static PageFrame frame_at(const PageScan *scan, double elevation_deg) {
         out.upto[i] = out.uniforms.count;
     }
     return out;
+}
+
+static PageFrame frame_at(const PageScan *scan, double elevation_deg) {
+    Scene scene = *scan->params->scene;
+    scene_set_sun(&scene, elevation_deg, scene.values.sun.azimuth_deg);
+    return frame_of_scene(scan, &scene);
 }
 
 PageScan page_scan(const Plan *plan, const RenderParams *params, bool coarse) {
@@ -63,4 +91,32 @@ int page_scan_steps(const PageScan *scan, int entry, PageSame *same, int most, d
         frames[count++] = &scan->frames[i];
     }
     return count;
+}
+
+/* The first uniform of the library's that has other values in the scene than in `frame`. */
+static const char *other_uniform(const PageScan *scan, const Scene *scene, const PageFrame *frame,
+                                 PageSame *same) {
+    PageFrame moved = frame_of_scene(scan, scene);
+    const char *name = NULL;
+    for (int i = 0; i < frame->uniforms.count && !name; i++)
+        if (!same(i, frame, &moved)) name = frame->uniforms.items[i].name;
+    uniforms_free(&moved.uniforms);
+    return name;
+}
+
+const char *page_scan_slider(const PageScan *scan, PageSame *same, const char **slider) {
+    const Scene *scene = scan->params->scene;
+    PageFrame frame = frame_of_scene(scan, scene);
+    const char *name = NULL;
+    for (int i = 0; i < scene->file->parameter_count && !name; i++) {
+        const Parameter *parameter = &scene->file->parameters[i];
+        Scene moved = *scene;
+        double *value = moved.values.parameters[i];
+        if (parameter->type != PARAMETER_SLIDER) continue;
+        *slider = parameter->name;
+        *value = *value < parameter->max ? parameter->max : parameter->min;
+        name = other_uniform(scan, &moved, &frame, same);
+    }
+    uniforms_free(&frame.uniforms);
+    return name;
 }

@@ -14,6 +14,10 @@ typedef struct PageFrame {
     int width[MOST_RESOURCES], height[MOST_RESOURCES];
 } PageFrame;
 
+/* Whether the page's script sets the uniform from the sun, the camera, the picture or the mist
+ * (page_draw.js). A scene's own uniforms are the sliders, which it sets too. */
+bool page_computes(const Uniform *uniform);
+
 /* Frames with the sun at -90 degrees, at 90, and in steps of PAGE_STEP_DEG between. */
 #define PAGE_STEP_DEG 0.25
 enum { PAGE_FRAMES = 721 };
@@ -37,3 +41,7 @@ typedef bool PageSame(int entry, const PageFrame *a, const PageFrame *b);
  * frames at these elevations are borrowed from the scan. */
 int page_scan_steps(const PageScan *scan, int entry, PageSame *same, int most, double *from,
                     const PageFrame **frames);
+
+/* The name of a uniform that the host would compute anew where a slider is moved, or NULL; `slider` is set to
+ * its name. A page has its value as it is now. */
+const char *page_scan_slider(const PageScan *scan, PageSame *same, const char **slider);

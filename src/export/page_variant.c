@@ -13,24 +13,6 @@
 
 enum { MOST_STEPS = 64 };
 
-/* What page.js sets from the sun, the camera and the picture. A scene's own uniforms are the sliders, which
- * it sets too. */
-static const char *const computed[] = {"sun_direction",
-                                       "sun_level",
-                                       "sun_disk_middle",
-                                       "sun_disk_heights",
-                                       "sun_image_corner",
-                                       "sun_image_heart",
-                                       "camera_eye",
-                                       "camera_forward",
-                                       "camera_right",
-                                       "camera_up",
-                                       "picture_size",
-                                       "iResolution",
-                                       "seed",
-                                       "film_first",
-                                       NULL};
-
 /* Tables that the host computes and a page draws, or makes by page.js where there is no entry. */
 typedef struct Stand {
     const ResourceKind *kind;
@@ -57,12 +39,6 @@ typedef struct Writer {
     FILE *file;
     Error *error;
 } Writer;
-
-static bool page_computes(const Uniform *uniform) {
-    for (int i = 0; computed[i]; i++)
-        if (strcmp(uniform->name, computed[i]) == 0) return true;
-    return false;
-}
 
 static bool is_needed(const Writer *writer, const ResourceKind *kind) {
     return kind != &drawn_mirrors && resource_is_needed(kind, picture_tables, &writer->frame);
@@ -121,7 +97,7 @@ static bool write_uniform(const Writer *writer, int entry) {
     double from[MOST_STEPS];
     const PageFrame *frames[MOST_STEPS];
     const Uniform *first = &writer->scans[0].frames[0].uniforms.items[entry];
-    if (!first->file || page_computes(first) || is_written(writer, entry)) return true;
+    if (page_computes(first) || is_written(writer, entry)) return true;
     for (int coarse = 0; coarse < 2; coarse++) {
         int count = page_scan_steps(&writer->scans[coarse], entry, same_uniform, MOST_STEPS, from, frames);
         if (!count)
@@ -233,8 +209,25 @@ static bool write_film(const Writer *writer) {
     return true;
 }
 
+static bool same_or_computed(int entry, const PageFrame *a, const PageFrame *b) {
+    return page_computes(&a->uniforms.items[entry]) || same_uniform(entry, a, b);
+}
+
+/* A slider that the GLSL reads costs nothing. One that the host reads too, such as that of a mist's `g`,
+ * would change a table's numbers, which the page has as they are. */
+static bool check_sliders(const Writer *writer) {
+    const char *slider, *name = page_scan_slider(&writer->scans[0], same_or_computed, &slider);
+    if (!name) return true;
+    return error_set(
+        writer->error, STATUS_SCENE,
+        "%s: the slider %s changes %s, which a page does not compute: write a number in its place, "
+        "or --light and --sky that need no such table",
+        writer->params->scene->file->path, slider, name);
+}
+
 static bool write_all(const Writer *writer) {
     const PageFrame *any = &writer->scans[0].frames[0];
+    if (!check_sliders(writer)) return false;
     if (!write_uniforms(writer, 0, any->from[0])) return false;
     for (int i = 0; picture_tables[i]; i++) {
         if (!is_needed(writer, picture_tables[i])) continue;
