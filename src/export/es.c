@@ -16,9 +16,11 @@ static bool is_word(char c) {
     return isalnum((unsigned char)c) || c == '_';
 }
 
-/* Whether two tokens need a blank between them, so that they do not become another: `in vec3`, `a - -b`. */
+/* Whether two tokens need a blank between them, so that they do not become another: `in vec3`, `a - -b`, `a /
+ * *`. Mesa pastes the last word of a macro to a word that follows its `)`. */
 static bool needs_blank(char before, char after) {
-    return (is_word(before) && is_word(after)) || (strchr("+-", before) && strchr("+-", after));
+    return ((is_word(before) || before == ')') && is_word(after)) ||
+           (strchr("+-", before) && strchr("+-", after)) || (before == '/' && strchr("*/", after));
 }
 
 /* Blanks between tokens are left out, but for directives, in which they may mean something. */
@@ -36,9 +38,24 @@ static void write_line(const char *line, size_t length, Text *out) {
     text_append(out, "\n", 1);
 }
 
+/* Each comment becomes a blank; lines stay. */
+static void write_code(const char *text, Text *code) {
+    for (const char *c = text; *c;) {
+        const char *end = strncmp(c, "//", 2) == 0   ? c + strcspn(c, "\n")
+                          : strncmp(c, "/*", 2) == 0 ? strstr(c + 2, "*/")
+                                                     : NULL;
+        if (strncmp(c, "/*", 2) == 0) end = end ? end + 2 : c + strlen(c);
+        text_append(code, end ? " " : c, 1);
+        for (const char *in = c; end && in < end; in++)
+            if (*in == '\n') text_append(code, in, 1);
+        c = end ? end : c + 1;
+    }
+}
+
 EsReader es_begin(const GlslSource *source) {
-    EsReader reader = {.scan = glsl_scan(text_string(&source->text))};
-    reader.at = reader.scan.code;
+    EsReader reader = {0};
+    write_code(text_string(&source->text), &reader.code);
+    reader.at = text_string(&reader.code);
     return reader;
 }
 
@@ -59,7 +76,7 @@ bool es_piece(EsReader *reader, Text *piece) {
 }
 
 void es_end(EsReader *reader) {
-    glsl_scan_free(&reader->scan);
+    text_free(&reader->code);
 }
 
 void es_write(const GlslSource *source, Text *out) {

@@ -2,12 +2,12 @@
  * have in common, so that only the head differs. */
 #pragma once
 
-#include "source/glsl_scan.h"
 #include "source/glsl_source.h"
 
 /* Reads a flattened text piece by piece: a piece is what stands between two #line directives. */
 typedef struct EsReader {
-    GlslScan scan;
+    /* Without comments. */
+    Text code;
     const char *at;
     bool begun;
 } EsReader;

@@ -49,7 +49,7 @@ static PageFrame frame_of_scene(const PageScan *scan, const Scene *of) {
     return out;
 }
 
-static PageFrame frame_at(const PageScan *scan, double elevation_deg) {
+PageFrame page_frame_at(const PageScan *scan, double elevation_deg) {
     Scene scene = *scan->params->scene;
     scene_set_sun(&scene, elevation_deg, scene.values.sun.azimuth_deg);
     return frame_of_scene(scan, &scene);
@@ -57,7 +57,7 @@ static PageFrame frame_at(const PageScan *scan, double elevation_deg) {
 
 PageScan page_scan(const Plan *plan, const RenderParams *params, bool coarse) {
     PageScan scan = {plan, params, coarse, memory_get(PAGE_FRAMES, sizeof(PageFrame))};
-    for (int i = 0; i < PAGE_FRAMES; i++) scan.frames[i] = frame_at(&scan, -90 + i * PAGE_STEP_DEG);
+    for (int i = 0; i < PAGE_FRAMES; i++) scan.frames[i] = page_frame_at(&scan, -90 + i * PAGE_STEP_DEG);
     return scan;
 }
 
@@ -67,12 +67,21 @@ void page_scan_free(PageScan *scan) {
     *scan = (PageScan){0};
 }
 
+bool page_same_values(const Uniform *p, const Uniform *q) {
+    if (p->count != q->count || memcmp(p->values, q->values, sizeof p->values) != 0) return false;
+    return p->type != UNIFORM_FLOATS || memcmp(p->many, q->many, (size_t)p->count * sizeof *p->many) == 0;
+}
+
+bool page_same_uniform(int entry, const PageFrame *a, const PageFrame *b) {
+    return page_same_values(&a->uniforms.items[entry], &b->uniforms.items[entry]);
+}
+
 /* The lowest elevation, above that of frame i - 1, at which the entry is as in frame i. */
 static double change_before(const PageScan *scan, int i, int entry, PageSame *same) {
     double low = -90 + (i - 1) * PAGE_STEP_DEG, high = low + PAGE_STEP_DEG;
     while (high - low > 1e-4) {
         double middle = (low + high) / 2;
-        PageFrame frame = frame_at(scan, middle);
+        PageFrame frame = page_frame_at(scan, middle);
         *(same(entry, &frame, &scan->frames[i]) ? &high : &low) = middle;
         uniforms_free(&frame.uniforms);
     }

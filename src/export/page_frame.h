@@ -33,8 +33,17 @@ typedef struct PageScan {
 PageScan page_scan(const Plan *plan, const RenderParams *params, bool coarse);
 void page_scan_free(PageScan *scan);
 
+/* The frame with the sun at one elevation; its uniforms are to be freed. */
+PageFrame page_frame_at(const PageScan *scan, double elevation_deg);
+
 /* Whether an entry, such as a uniform by its number, is the same in two frames. */
 typedef bool PageSame(int entry, const PageFrame *a, const PageFrame *b);
+
+/* A PageSame of a uniform by its number, to the bit. */
+bool page_same_uniform(int entry, const PageFrame *a, const PageFrame *b);
+
+/* Whether two values of uniforms are the same to the bit. */
+bool page_same_values(const Uniform *a, const Uniform *b);
 
 /* The elevations at which an entry changes, to a ten-thousandth of a degree, upward: fills `from` and
  * `frames` (the first is -90 degrees) and returns how many there are, or 0 if there are more than `most`. The

@@ -44,15 +44,6 @@ static bool is_needed(const Writer *writer, const ResourceKind *kind) {
     return kind != &drawn_mirrors && resource_is_needed(kind, picture_tables, &writer->frame);
 }
 
-static bool same_values(const Uniform *p, const Uniform *q) {
-    if (p->count != q->count || memcmp(p->values, q->values, sizeof p->values) != 0) return false;
-    return p->type != UNIFORM_FLOATS || memcmp(p->many, q->many, (size_t)p->count * sizeof *p->many) == 0;
-}
-
-static bool same_uniform(int entry, const PageFrame *a, const PageFrame *b) {
-    return same_values(&a->uniforms.items[entry], &b->uniforms.items[entry]);
-}
-
 static bool same_size(int entry, const PageFrame *a, const PageFrame *b) {
     return a->width[entry] == b->width[entry] && a->height[entry] == b->height[entry];
 }
@@ -86,7 +77,7 @@ static bool is_written(const Writer *writer, int entry) {
     for (int coarse = 0; coarse < 2; coarse++) {
         for (int i = 0; i < PAGE_FRAMES; i++) {
             const Uniforms *uniforms = &writer->scans[coarse].frames[i].uniforms;
-            if (!same_values(&uniforms->items[before], &uniforms->items[entry])) return false;
+            if (!page_same_values(&uniforms->items[before], &uniforms->items[entry])) return false;
         }
     }
     return true;
@@ -99,11 +90,12 @@ static bool write_uniform(const Writer *writer, int entry) {
     const Uniform *first = &writer->scans[0].frames[0].uniforms.items[entry];
     if (page_computes(first) || is_written(writer, entry)) return true;
     for (int coarse = 0; coarse < 2; coarse++) {
-        int count = page_scan_steps(&writer->scans[coarse], entry, same_uniform, MOST_STEPS, from, frames);
+        int count =
+            page_scan_steps(&writer->scans[coarse], entry, page_same_uniform, MOST_STEPS, from, frames);
         if (!count)
             return error_set(writer->error, STATUS_USAGE,
                              "%s changes with the sun in a way that a page does not compute", first->name);
-        if (coarse && same_scans(writer, entry, same_uniform)) continue;
+        if (coarse && same_scans(writer, entry, page_same_uniform)) continue;
         for (int i = 0; i < count; i++)
             write_value(writer, &frames[i]->uniforms.items[entry], from[i], coarse != 0);
     }
@@ -210,7 +202,7 @@ static bool write_film(const Writer *writer) {
 }
 
 static bool same_or_computed(int entry, const PageFrame *a, const PageFrame *b) {
-    return page_computes(&a->uniforms.items[entry]) || same_uniform(entry, a, b);
+    return page_computes(&a->uniforms.items[entry]) || page_same_uniform(entry, a, b);
 }
 
 /* A slider that the GLSL reads costs nothing. One that the host reads too, such as that of a mist's `g`,
