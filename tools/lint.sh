@@ -1,6 +1,6 @@
 #!/bin/sh
 # What reviewers should not have to look for: formatting, scripts, layers, circles of includes, long files, names of methods and
-# constants where they do not belong, and GLSL that a second compiler refuses. Every finding begins with its file and line.
+# constants where they do not belong, and GLSL that WebGL or a second compiler refuses. Every finding begins with its file and line.
 # tools/lint.sh [CHECK ...]: all of them by default; the names are those of the functions check_* below.
 # The checks are called by their names, and the names of files have no blanks.
 # shellcheck disable=SC2046,SC2317
@@ -126,6 +126,49 @@ check_constants() {
         $(git ls-files 'src/*.[ch]' 'src/*.[ch]pp' 'glsl/*.glsl' ':!src/base' ':!glsl/math')
 }
 
+# What WebGL refuses and other compilers take (glsl/README.md): ?: between structures, and textures that are looked up by derivatives.
+# A side of ?: is a structure if it is a call of a function that returns one, or a name that the file declares as one.
+# shellcheck disable=SC2086
+check_webgl() {
+    files=$(git ls-files 'glsl/*.glsl' 'scenes/*.glsl')
+    structures=$(sed -n 's/^struct \([A-Za-z0-9_]*\).*/\1/p' $files | sort -u | paste -sd '|')
+    calls=$(grep -ohE "^($structures) [a-z_0-9]+\(" $files | sed 's/.* //; s/($//' | sort -u | paste -sd '|')
+    found=0
+    for file in $files; do
+        awk -v file="$file" -v structures="$structures" -v calls="$calls" '
+            { sub("//.*", "") }
+            FNR == 1 { call = "(" structures "|" calls ")[(]" }
+            /(^|[^A-Za-z0-9_])texture[(]/ { print file ":" NR ": texture() needs a derivative; use textureLod(..., 0.0)"; bad = 1 }
+            # A statement may go on over several lines. It stands where its ? does.
+            { text = text " " $0 }
+            text ~ /[?]/ && !at { at = NR }
+            /[;{}] *$/ || /^ *$/ { look(); text = ""; at = 0 }
+            # Names stay declared to the end of the file: a name stands for one type there.
+            function look(rest, names) {
+                rest = text
+                while (match(rest, "(^|[^A-Za-z0-9_])(" structures ") [a-z_0-9]+")) {
+                    names = substr(rest, RSTART, RLENGTH)
+                    sub(".* ", "", names)
+                    declared[names]
+                    rest = substr(rest, RSTART + RLENGTH)
+                }
+                rest = text
+                while (match(rest, "[?:] *[A-Za-z0-9_]+ *[^A-Za-z0-9_]")) {
+                    names = substr(rest, RSTART + 1, RLENGTH - 1)
+                    gsub("^ +| +", "", names)
+                    rest = substr(rest, RSTART + RLENGTH - 1)
+                    if (text ~ /[?]/ && (names ~ "^" call "$" || (names ~ /[;:,)]$/ && substr(names, 1, length(names) - 1) in declared))) {
+                        print file ":" at ": WebGL refuses ?: between structures; use an if"
+                        bad = 1
+                        return
+                    }
+                }
+            }
+            END { exit bad }' "$file" || found=1
+    done
+    return "$found"
+}
+
 # The names of a family's methods: methods --light.
 methods() { build/magichour info | awk -v family="$1" '/^[^ ]/ { listed = $1 == family; next } listed { print $1 }'; }
 
@@ -222,7 +265,7 @@ if [ "${1-}" = --compile ]; then
 fi
 
 failed=0
-[ $# -gt 0 ] || set -- format scripts cppcheck layers circles glsl_layers length methods constants glslang
+[ $# -gt 0 ] || set -- format scripts cppcheck layers circles glsl_layers length methods constants webgl glslang
 for check in "$@"; do
     start=$(date +%s)
     result=clean
