@@ -46,6 +46,25 @@ static void test_toys(void **state) {
     assert_true(count >= 30);
 }
 
+/* A folder is a program of several tabs: Image shows what Buffer A has drawn for the same frame. */
+static void test_tabs(void **state) {
+    (void)state;
+    support_write("common.glsl", "const float STEP = 0.125;\n");
+    support_write("buffer-a.glsl", "void mainImage(out vec4 c, in vec2 p) {\n"
+                                   "    c = texelFetch(iChannel0, ivec2(p), 0) + STEP;\n}\n");
+    support_write("image.glsl", "void mainImage(out vec4 c, in vec2 p) {\n"
+                                "    c = vec4(texelFetch(iChannel0, ivec2(p), 0).r, STEP, iTime, 1.0);\n}\n");
+    desktop_start(window, "'%s' --size 8x8 --record tabs --frames 4 --fps 4", support_path(""));
+    assert_int_equal(desktop_end(window), 0);
+    Image image = read_frame("tabs/frame-00003.png");
+    for (int c = 0; c < 3; c++) {
+        static const double wanted[] = {3 * 0.125, 0.125, 0.5};
+        double level = tone_level(TONE_NONE, 1, (double)image.rgba[c]);
+        if (fabs(level - 255 * wanted[c]) > 1.01) fail_msg("channel %d: level %g", c, level);
+    }
+    image_free(&image);
+}
+
 #define CLOCK                                                                                                \
     "void mainImage(out vec4 c, in vec2 p) {\n"                                                              \
     "    c = vec4(iTime, iTimeDelta, float(iFrame), 1.0) / vec4(1.0, 1.0, 255.0, 1.0);\n"                    \
@@ -146,6 +165,7 @@ int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_toys, desktop_setup, desktop_teardown),
+        cmocka_unit_test_setup_teardown(test_tabs, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_clock, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_scene, desktop_setup, desktop_teardown),
         cmocka_unit_test_setup_teardown(test_compiling, desktop_setup, desktop_teardown),
