@@ -73,7 +73,7 @@ cmocka:
 	@pkg-config --exists cmocka || tools/deps.sh --missing $(TEST_NEEDS)
 
 # The files that stand in every page that is exported, as strings (src/export/embedded.h), without indentation and without lines of comments.
-EMBEDDED := src/export/page.html src/export/page.css src/export/page_draw.js src/export/page_panel.js
+EMBEDDED := src/export/page.html src/export/page.css src/export/page_draw.js src/export/page_spheres.js src/export/page_panel.js
 $(BUILD)/src/export/embedded.c: $(EMBEDDED) Makefile
 	@mkdir -p $(@D)
 	@{ echo '#include "export/embedded.h"'; for file in $(EMBEDDED); do \

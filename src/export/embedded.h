@@ -2,4 +2,4 @@
 #pragma once
 
 extern const char embedded_page_html[], embedded_page_css[], embedded_page_draw_js[],
-    embedded_page_panel_js[];
+    embedded_page_spheres_js[], embedded_page_panel_js[];

@@ -26,13 +26,17 @@ static void write_data(const Text *lines, Text *html) {
     }
 }
 
+static void write_script(const SceneFile *file, Text *html) {
+    text_print(html, "%s%s%s", embedded_page_draw_js, file->spheres[0] ? embedded_page_spheres_js : "",
+               embedded_page_panel_js);
+}
+
 static void write_part(const char *name, size_t length, const PageParams *params, const Text *lines,
                        Text *html) {
     const char *title = params->states[0].scene.file->title;
     if (strncmp(name, "TITLE", length) == 0) write_words(*title ? title : "A scene", html);
     if (strncmp(name, "STYLE", length) == 0) text_print(html, "%s", embedded_page_css);
-    if (strncmp(name, "SCRIPT", length) == 0)
-        text_print(html, "%s%s", embedded_page_draw_js, embedded_page_panel_js);
+    if (strncmp(name, "SCRIPT", length) == 0) write_script(params->states[0].scene.file, html);
     if (strncmp(name, "DATA", length) == 0) write_data(lines, html);
 }
 

@@ -34,13 +34,13 @@ static int add_variant(Data *data, char *lines) {
     return number;
 }
 
-/* What the script computes the sun and the light in mist from: `forward` is the mist's `g`, a number or a
- * slider's name. */
+/* What the script computes the sun, the light in mist and the spheres from: `forward` is the mist's `g` and
+ * `spheres` how many there are, both a number or a slider's name. */
 static void write_air(const Scene *scene, Text *lines) {
     const char *forward = scene->file->mist.words[MIST_FORWARD];
-    text_print(lines, "{\"horizon\": %.9g, \"radius\": %.9g, \"forward\": \"%s\"}\n",
+    text_print(lines, "{\"horizon\": %.9g, \"radius\": %.9g, \"forward\": \"%s\", \"spheres\": \"%s\"}\n",
                sky_horizon_sine(&scene->values.atmosphere), scene->values.sun.radius_deg,
-               *forward ? forward : "0");
+               *forward ? forward : "0", scene_sphere_count(scene) >= 0 ? scene->file->spheres : "0");
 }
 
 /* The number of the variant that draws the scene. */

@@ -225,7 +225,8 @@ function computed(state, air, width, height) {
         const [c, s] = [Math.cos(angle * RADIANS), Math.sin(angle * RADIANS)], out = Math.tan(1.01 * air.radius * RADIANS);
         rim.push(project(camera, direction.map((x, i) => x + out * (c * up[i] + s * across[i])), width, height));
     }
-    const forward = Number(state.values[air.forward] || air.forward);
+    const forward = Number(state.values[air.forward] || air.forward), spheres = Math.trunc(Number(state.values[air.spheres] || air.spheres));
+    values.fill_count = [spheres];
     values.scattered_forward = [forward];
     values.scattered_share = [clamp((0.75 - Math.abs(forward)) / 0.1, 0, 1)];
     values.sun_disk_heights = [low, high, 0];
@@ -236,7 +237,7 @@ function computed(state, air, width, height) {
     const size = [(whole ? Math.ceil(edge(0, Math.max, width)) : width) - left, (whole ? Math.ceil(edge(1, Math.max, height)) : height) - top];
     values.disk = ahead.length && high > low && size[0] > 0 && size[1] > 0 ? [left, top, ...size] : null;
     values.sun_image_corner = values.disk && whole ? [left, top, 0] : [-9, 0, 0];
-    values.cover = values.disk && whole ? size : [1, 1];
+    values.sizes = { cover: values.disk && whole ? size : [1, 1], spheres: [1024, Math.max(Math.ceil(spheres / 1024), 1)] };
     return values;
 }
 
@@ -261,10 +262,10 @@ let fills = 0;
 async function fill(step, values, textures, made, stale) {
     const serials = step.inputs.split(" ").filter(Boolean).map((place) => made[place].serial);
     const drawn = "draws" in step && (await program(step.draws));
-    const key = JSON.stringify([step.table, step.draws, values.size, serials, drawn && drawn.uniforms.map((uniform) => value_of(uniform, values))]);
+    const key = JSON.stringify([step.table, step.draws, values.size, step.sized && values.sizes[step.sized], serials, drawn && drawn.uniforms.map((uniform) => value_of(uniform, values))]);
     let table = tables[step.place];
     if (!table || table.key !== key) {
-        const [width, height] = values.size[0] ? values.size : values.cover, samplers = step.samplers.split(" "), half = step.linear && !filtered;
+        const [width, height] = step.sized ? values.sizes[step.sized] : values.size, samplers = step.samplers.split(" "), half = step.linear && !filtered;
         const count = samplers.length > 1 && samplers[1] ? 2 : 1, filter = step.linear ? gl.LINEAR : gl.NEAREST;
         const again = drawn && table && table.draws === step.draws && table.width === width && table.height === height;
         if (table && !again) drop(table);
@@ -279,18 +280,20 @@ async function fill(step, values, textures, made, stale) {
             }
             await draw(drawn, values, reads, table, step.pace ??= { speed: 20 }, stale);
         } else {
-            table = sky_sampler(made[step.inputs], values);
+            table = MAKERS[step.maker](step.inputs.split(" ").map((place) => made[place]), values);
         }
         table.key = key;
         table.serial = ++fills;
         tables[step.place] = table;
     }
     made[step.place] = table;
+    Object.assign(values, table.values);
     step.samplers.split(" ").forEach((name, i) => { if (name) textures[name] = table.textures[i]; });
 }
 
 // As src/sky/sky_sampler.c: bins of equal probability over the sky's patches, along Hilbert's curve above the horizon.
-function sky_sampler(patches, values) {
+const MAKERS = { sky_sampler };
+function sky_sampler([patches], values) {
     const [columns, above, below] = values.patch_count, cells = columns * (above + below), bins = 256 * 128;
     const light = new Float32Array(4 * cells), toward = new Float32Array(4 * cells);
     gl.bindFramebuffer(gl.FRAMEBUFFER, patches.framebuffer);

@@ -22,7 +22,9 @@ bool page_computes(const Uniform *uniform) {
                                         "seed",
                                         "film_first",
                                         "scattered_forward",
-                                        "scattered_share"};
+                                        "scattered_share",
+                                        "spheres_count",
+                                        "fill_count"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(uniform->name, names[i]) == 0) return true;
     return !uniform->file;

@@ -2,9 +2,8 @@
 
 #include "base/json.h"
 #include "export/page_frame.h"
+#include "export/page_stand.h"
 #include "render/drawn_mirrors.h"
-#include "render/spheres.h"
-#include "sky/sky_sampler.h"
 #include "sky/sun.h"
 
 #include <stdio.h>
@@ -12,23 +11,6 @@
 #include <string.h>
 
 enum { MOST_STEPS = 64 };
-
-/* Tables that the host computes and a page draws, or makes by page.js where there is no entry. */
-typedef struct Stand {
-    const ResourceKind *kind;
-    const char *entry;
-    int width, height;
-} Stand;
-
-static const Stand stands[] = {{&sun_table, "pass/fill_sun.glsl", 256, 1},
-                               {&sun_cover, "pass/fill_cover.glsl", 0, 0},
-                               {&sky_sampler, "", 0, 0}};
-
-static const Stand *stand_of(const ResourceKind *kind) {
-    for (size_t i = 0; i < sizeof stands / sizeof *stands; i++)
-        if (stands[i].kind == kind) return &stands[i];
-    return NULL;
-}
 
 typedef struct Writer {
     const Plan *plan;
@@ -118,7 +100,7 @@ static bool add_text(const Writer *writer, const char *entry, int *number) {
 }
 
 /* Sizes are lines of their own, before the table's. */
-static void write_sizes(const Writer *writer, int place, const Stand *stand) {
+static void write_sizes(const Writer *writer, int place, const PageStand *stand) {
     double from[MOST_STEPS];
     const PageFrame *frames[MOST_STEPS];
     for (int coarse = 0; coarse < 2; coarse++) {
@@ -161,10 +143,10 @@ static void write_reads(const ResourceKind *kind, Text *reads, Text *inputs) {
 
 static bool write_table(const Writer *writer, int place) {
     const ResourceKind *kind = picture_tables[place];
-    const Stand *stand = kind->entry ? NULL : stand_of(kind);
+    const PageStand *stand = page_stand_of(kind);
     const char *entry = stand ? stand->entry : kind->entry;
     int text = -1;
-    if (*entry && !add_text(writer, entry, &text)) return false;
+    if (entry && !add_text(writer, entry, &text)) return false;
     write_sizes(writer, place, stand);
     Text reads = {0}, inputs = {0}, samplers = {0};
     write_reads(kind, &reads, &inputs);
@@ -174,6 +156,8 @@ static bool write_table(const Writer *writer, int place) {
     json_text(&json, "table", kind->name);
     json_count(&json, "place", (uint64_t)place);
     if (text >= 0) json_count(&json, "draws", (uint64_t)text);
+    if (stand && stand->maker) json_text(&json, "maker", stand->maker);
+    if (stand && stand->sized) json_text(&json, "sized", stand->sized);
     json_text(&json, "samplers", text_string(&samplers));
     json_text(&json, "inputs", text_string(&inputs));
     json_text(&json, "reads", text_string(&reads));
@@ -274,9 +258,11 @@ bool page_plan(Plan *plan, const RenderParams *params, Error *error) {
     Frame frame = frame_of(plan, params, &camera);
     for (int i = 0; picture_tables[i]; i++) {
         const ResourceKind *kind = picture_tables[i];
-        if (kind->entry || stand_of(kind) || !resource_is_needed(kind, picture_tables, &frame)) continue;
-        return error_set(error, STATUS_SCENE, "%s:%d: a page has no %s: hit_spheres() is not carried yet",
-                         path, params->scene->file->spheres_line, kind->name + 4);
+        if (kind->entry || page_stand_of(kind) || !resource_is_needed(kind, picture_tables, &frame)) continue;
+        return error_set(
+            error, STATUS_SCENE,
+            "%s:%d: a page has no %s, which is read from a file: define scene_sphere() in its place", path,
+            params->scene->file->spheres_line, kind->name + 4);
     }
     /* The page does not know where it will be opened. */
     return plan_fit_loops(plan, params, PLAN_LEAST_LOOP_LIMIT, error);
