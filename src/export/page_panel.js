@@ -256,13 +256,18 @@ async function patiently(work) {
     }
 }
 
+function fit_canvas() {
+    if (canvas.width !== size[0] || canvas.height !== size[1]) [canvas.width, canvas.height] = size;
+    canvas.style.setProperty("--ratio", size[0] / size[1]);
+}
+
 async function draw_next() {
     const now = performance.now(), stale = () => version !== shown;
     if (!picture || version !== shown || (picture.coarse && now - moved_ms > 200)) {
         const first = !picture, moving = previews && (first || (version !== shown && now - moved_ms < 200)), speed = picture ? picture.pace.speed : 2000;
         const shrink = moving ? clamp(Math.ceil(Math.sqrt((size[0] * size[1]) / (speed * PREVIEW_MS))), 2, 8) : 1;
         shown = version;
-        if (canvas.width !== size[0] || canvas.height !== size[1]) [canvas.width, canvas.height] = size;
+        fit_canvas();
         picture = await begin_picture(structuredClone(state), ...size, shrink, moving ? () => false : stale);
         rate = 0;
     }
@@ -306,8 +311,8 @@ by_id("presets-row").hidden = DATA.states.length < 2;
 by_id("parameters").hidden = !DATA.parameters.length;
 DATA.parameters.forEach(add_parameter);
 canvas.setAttribute("aria-label", `${DATA.title}, drawn by path tracing`);
-[canvas.width, canvas.height] = size;
 read_link();
+fit_canvas();
 window.onhashchange = read_link;
 run();
 
