@@ -5,6 +5,7 @@
 #include "export/page.h"
 #include "export/toy.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -60,8 +61,11 @@ static bool write_page(const Options *options, const PageState *states, int coun
                                           .seed = options->seed,
                                           .max_hits = options->depth},
                                .command = text_string(&command)};
-    bool ok =
-        page_write(&params, &html, error) && file_replace(options->outputs[0], html.data, html.size, error);
+    bool ok = page_write(&params, &html, error);
+    if (ok && strcmp(options->outputs[0], "-") == 0)
+        fwrite(html.data, 1, html.size, stdout);
+    else
+        ok = ok && file_replace(options->outputs[0], html.data, html.size, error);
     text_free(&html);
     text_free(&command);
     return ok;
@@ -70,7 +74,7 @@ static bool write_page(const Options *options, const PageState *states, int coun
 static bool export_page(const Options *options, const char *library, Error *error) {
     PageState *states = NULL;
     int count = 0;
-    bool ok = file_check_target(options->outputs[0], error) &&
+    bool ok = (strcmp(options->outputs[0], "-") == 0 || file_check_target(options->outputs[0], error)) &&
               read_states(options, library, &states, &count, error) &&
               write_page(options, states, count, error);
     for (int i = 0; i < count; i++) scene_destroy(&states[i].scene);
