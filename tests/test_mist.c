@@ -6,6 +6,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 static double mean_of(const char *scene, const char *arguments) {
     double means[3];
@@ -348,12 +350,98 @@ static void test_channels(void **state) {
     }
 }
 
+/* A material of this name, which does as matte does. */
+static const char *write_own_material(const char *name, const char *capitals, const char *annotation) {
+    char path[64], text[2048];
+    snprintf(path, sizeof path, "material/%s.glsl", name);
+    snprintf(text, sizeof text,
+             "#include \"material/matte.glsl\"\n"
+             "Material %s(vec3 albedo) { return material_new(MATERIAL_%s, albedo); }\n"
+             "Bounce %s_sample(Material m, vec3 normal, vec3 incoming, vec2 u, vec2 v) {\n"
+             "    return matte_sample(m, normal, incoming, u, v);\n}\n"
+             "float %s_pdf(Material m, vec3 normal, vec3 incoming, vec3 outgoing) {\n"
+             "    return matte_pdf(m, normal, incoming, outgoing);\n}\n"
+             "vec3 %s_value(Material m, vec3 normal, vec3 incoming, vec3 outgoing) {\n"
+             "    return matte_value(m, normal, incoming, outgoing);\n}\n",
+             name, capitals, name, name, name);
+    support_write(path, text);
+    snprintf(text, sizeof text,
+             "%s\n#include \"material/%s.glsl\"\nMaterial own(vec3 albedo) { return %s(albedo); }",
+             annotation, name, name);
+    return mist_ball("own.glsl", text, "0.5)).kind < 0 ? own(vec3(0.5)) : matte(vec3(0.4");
+}
+
+/* A scene may have a material named `mist` or `air` beside the library's mist and air, and functions of such
+ * names. One that the library has itself is told with both places. */
+static void test_own_names(void **state) {
+    (void)state;
+    static const char *const annotations[] = {"//@ mist extinction 0.2 below 2", "//@ air on", ""};
+    assert_int_equal(mkdir(support_path("material"), 0777), 0);
+    for (int i = 0; i < 6; i++) {
+        const char *scene =
+            write_own_material(i % 2 ? "air" : "mist", i % 2 ? "AIR" : "MIST", annotations[i / 2]);
+        support_expect(0, "", "render '%s' --size 8x8 --spp 1 -o '%s'", scene, support_path("own.pfm"));
+    }
+    const char *scene =
+        mist_ball("own.glsl", "//@ mist extinction 0.2 below 2\nbool mist_here() { return false; }", "0.5");
+    support_expect(STATUS_SCENE, "", "render '%s' --size 8x8 --spp 1 -o '%s'", scene,
+                   support_path("own.pfm"));
+    if (!strstr(support_err, "mist_here") || !strstr(support_err, "own.glsl:4 has the name mist_here too"))
+        fail_msg("%s", support_err);
+    unlink(support_path("material/mist.glsl"));
+    unlink(support_path("material/air.glsl"));
+    rmdir(support_path("material"));
+}
+
+/* explain says in words what the mist is, with the values of its sliders. */
+static void test_explain(void **state) {
+    (void)state;
+    static const struct {
+        const char *annotations, *arguments, *says;
+    } cases[] = {
+        {"//@ mist extinction dense albedo 0.9 0.8 0.7 g 0.5 sphere 0 1 0 3", "",
+         "\nmist: a sphere of 3 m about 0,1,0\n  a metre of it takes away the share 0.2 of the light "
+         "(extinction, 1/m): light goes 5 m through it on average (mean free path)\n  of the light that it "
+         "takes away it scatters the share 0.9 0.8 0.7 (red, green, blue) (albedo) and absorbs the rest;\n  "
+         "most of it goes on forward (phase function of Henyey and Greenstein, mean cosine 0.5)\n"},
+        {"//@ mist off extinction 0.1 0.2 0.4 phase shanks g -0.5 falloff 3 base -dense", "--set dense=0.5",
+         "\nmist, switched off here: everywhere\n  a metre of it takes away the share 0.1 0.2 0.4 (red, "
+         "green, "
+         "blue) of the light (extinction, 1/m): light goes 10 5 2.5 (red, green, blue) m through it on "
+         "average "
+         "(mean free path);\n  so much at the height -0.5 m, and in each 3 m of height it thins to 1/e\n  of "
+         "the "
+         "light that it takes away it scatters the share 1 (albedo) and absorbs the rest;\n  most of it is "
+         "sent back (phase function of Cornette and Shanks, mean cosine -0.5)\n"},
+        {"//@ mist extinction 0 box 0 1 0 2 1 2\nfloat scene_mist(vec3 p) { return 0.5; }", "",
+         "\nmist: a box of 4 x 2 x 4 m about 0,1,0\n  a metre of it takes away the share 0 of the light "
+         "(extinction, 1/m);\n  scene_mist() says how much of this is there at a place, from 0 to 1\n"},
+        {"//@ mist extinction 1 below 2", "", "\nmist: all below a height of 2 m\n"},
+        {"//@ air on", "--atmosphere simmons2017",
+         "\nair: the atmosphere's own, between the surfaces\n  at the height 0 light goes 34.6 27.3 17.8 "
+         "(red, "
+         "green, blue) km through it on average (mean free path), and it thins to 1/e in 7.99 km"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char annotations[256];
+        snprintf(annotations, sizeof annotations, "//@ sky uniform:1\n%s", cases[i].annotations);
+        const char *scene = mist_ball("words.glsl", annotations, "0.5");
+        assert_int_equal(support_run("", "explain '%s' --size 8x8 %s", scene, cases[i].arguments), 0);
+        if (!strstr(support_out, cases[i].says)) fail_msg("%s: \"%s\"", cases[i].says, support_out);
+    }
+    const char *scene = mist_ball("words.glsl", "//@ sky uniform:1", "0.5");
+    assert_int_equal(support_run("", "explain '%s' --size 8x8", scene), 0);
+    assert_null(strstr(support_out, "\nmist"));
+}
+
 int main(int argc, char **argv) {
     if (argc > 1) cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_errors),   cmocka_unit_test(test_switch),        cmocka_unit_test(test_density),
-        cmocka_unit_test(test_phase),    cmocka_unit_test(test_transmittance), cmocka_unit_test(test_colour),
-        cmocka_unit_test(test_channels), cmocka_unit_test(test_cut_tracks),
+        cmocka_unit_test(test_errors),        cmocka_unit_test(test_switch),
+        cmocka_unit_test(test_density),       cmocka_unit_test(test_phase),
+        cmocka_unit_test(test_transmittance), cmocka_unit_test(test_colour),
+        cmocka_unit_test(test_channels),      cmocka_unit_test(test_cut_tracks),
+        cmocka_unit_test(test_own_names),     cmocka_unit_test(test_explain),
     };
     return cmocka_run_group_tests_name("mist", tests, support_folder, support_clean);
 }

@@ -206,6 +206,23 @@ other_programs() {
     echo shadertoy >"$programs/shadertoy.choice"
 }
 
+# The air between the surfaces, for the scenes that have a switch for it: under a sky that has air and one that has none, in three colours and by a spectrum.
+air() {
+    grep -q '^//@ *air ' "$1" || return 0
+    for atmosphere in simmons2017 simmons2017-ozone earth; do
+        for light in $lights; do echo "$1 --set air=on --light $light --atmosphere $atmosphere"; done
+    done
+    echo "$1 --set air=on --sky uniform"
+    echo "$1 --set air=on --sun-disk=chance"
+    echo "$1 --set air=on --atmosphere earth --set atmosphere.spectrum=3 --sun-disk"
+}
+
+# The mist that begins switched off.
+mist() {
+    grep -q '^//@ *mist *off' "$1" || return 0
+    for light in $lights; do echo "$1 --set mist=on --light $light --sun-disk"; done
+}
+
 # Every program of each scene, with each method, through the reference compiler: a driver accepts more than the language has.
 # Programs that are made more than once are compiled once.
 check_glslang() {
@@ -218,6 +235,8 @@ check_glslang() {
         for sky in table gauss; do echo "$scene --sky $sky --atmosphere earth --set atmosphere.spectrum=3"; done
         echo "$scene --sky uniform"
         echo "$scene --sun-disk=chance"
+        air "$scene"
+        mist "$scene"
         for light in $lights; do
             for sequence in $sequences; do
                 echo "$scene --light $light --sequence $sequence"

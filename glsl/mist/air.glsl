@@ -4,7 +4,7 @@
 #include "math/frame.glsl"
 #include "mist/channels.glsl"
 #include "mist/ask.glsl"
-#include "mist/material/air.glsl"
+#include "mist/material/place_air.glsl"
 #include "sky/atmosphere.glsl"
 
 // The air in the picture's channels, and the altitude of the scene's height 0.

@@ -1,6 +1,6 @@
 // What a path meets in mist that is there.
 #include "mist/air_none.glsl"
-#include "mist/material/mist.glsl"
+#include "mist/material/place_mist.glsl"
 #include "mist/values.glsl"
 
 bool mist_here() {
@@ -8,5 +8,5 @@ bool mist_here() {
 }
 
 Material mist_material(vec3 position) {
-    return material_new(MATERIAL_MIST, mist_albedo());
+    return material_new(MATERIAL_PLACE_MIST, mist_albedo());
 }

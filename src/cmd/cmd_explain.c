@@ -5,6 +5,7 @@
 #include "cmd/interrupt.h"
 #include "cmd/library_files.h"
 #include "cmd/setup.h"
+#include "scene/mist_words.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -114,6 +115,14 @@ static void print_compiled(Job *job) {
     library_files_print(job->library, text_string(&job->base.renderer.source_files), &job->table);
 }
 
+/* What the scene's rows `mist` and `air` turn on and off. */
+static void print_mist(const Scene *scene) {
+    Text words = {0};
+    mist_words(scene, &words);
+    if (words.size) printf("\n%s", text_string(&words));
+    text_free(&words);
+}
+
 static void print_results(const Job *job) {
     const Scene *scene = &job->scene;
     const Renderer *renderer = &job->base.renderer;
@@ -125,6 +134,7 @@ static void print_results(const Job *job) {
         renderer->plan.sun.text, renderer->plan.light.text, renderer->plan.sequence.text,
         further ? ", further orders " : "", further ? renderer->plan.further.text : "",
         text_string(&job->table));
+    print_mist(scene);
 }
 
 Status cmd_explain(const Options *options, Error *error) {

@@ -31,6 +31,6 @@ void item(vec4 a, vec4 b, OUT(vec4) c, OUT(vec4) d) {
     c = vec4(way.depth, event < INFINITY ? event : -1.0, point.t, point.weight.x);
     vec3 incoming = vec3(0.6, 0.0, 0.8);
     vec3 turned = henyey_sample(forward, incoming, vec2(b.z, b.w));
-    float value = mist_value(mist_material(vec3(0.0)), vec3(0.0), incoming, turned).x;
-    d = vec4(dot(incoming, turned), log(mist_pdf(mist_material(vec3(0.0)), vec3(0.0), incoming, turned)), 2.0 * value / henyey_pdf(forward, incoming, turned), 0.0);
+    float value = place_mist_value(mist_material(vec3(0.0)), vec3(0.0), incoming, turned).x;
+    d = vec4(dot(incoming, turned), log(place_mist_pdf(mist_material(vec3(0.0)), vec3(0.0), incoming, turned)), 2.0 * value / henyey_pdf(forward, incoming, turned), 0.0);
 }

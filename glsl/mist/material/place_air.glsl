@@ -5,13 +5,13 @@
 #include "sky/atmosphere.glsl"
 #include "sky/phase.glsl"
 
-const bool AIR_THROWS = false;
+const bool PLACE_AIR_THROWS = false;
 
 Atmosphere air_here();
 
 // The densities of air and aerosols take the places of two members that air has no use for.
 Material air_material(Atmosphere a, vec2 density) {
-    Material material = material_new(MATERIAL_AIR, vec3(1.0));
+    Material material = material_new(MATERIAL_PLACE_AIR, vec3(1.0));
     material.roughness = density.x;
     material.ior = density.y;
     return material;
@@ -36,20 +36,20 @@ vec3 rayleigh_sample(vec3 incoming, vec2 u) {
     return normalize(in_frame(incoming, sine * cos(phi), sine * sin(phi), cosine));
 }
 
-float air_pdf(Material material, vec3 normal, vec3 incoming, vec3 outgoing) {
+float place_air_pdf(Material material, vec3 normal, vec3 incoming, vec3 outgoing) {
     float share = air_aerosol_share(material);
     return mix(rayleigh_phase(incoming, outgoing), henyey_pdf(air_here().mie_g, incoming, outgoing), share);
 }
 
-vec3 air_value(Material material, vec3 normal, vec3 incoming, vec3 outgoing) {
+vec3 place_air_value(Material material, vec3 normal, vec3 incoming, vec3 outgoing) {
     Atmosphere a = air_here();
     return material.color * (a.rayleigh_scatter_per_m * (material.roughness * rayleigh_phase(incoming, outgoing)) +
                              a.mie_scatter_per_m * (material.ior * mie_phase(a.mie_g, incoming, outgoing)));
 }
 
-Bounce air_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
+Bounce place_air_sample(Material material, vec3 normal, vec3 incoming, vec2 u, vec2 v) {
     vec3 direction = rayleigh_sample(incoming, u);
     if (v.x < air_aerosol_share(material)) direction = henyey_sample(air_here().mie_g, incoming, u);
-    float pdf = air_pdf(material, normal, incoming, direction);
-    return Bounce(direction, air_value(material, normal, incoming, direction) / max(pdf, 1.0e-30), pdf, false);
+    float pdf = place_air_pdf(material, normal, incoming, direction);
+    return Bounce(direction, place_air_value(material, normal, incoming, direction) / max(pdf, 1.0e-30), pdf, false);
 }
