@@ -93,23 +93,24 @@ static void test_phase(void **state) {
     for (int i = 0; i < 3; i++) {
         double total = 0, sampled[BINS] = {0}, expected[BINS] = {0}, chi2 = 0, mean = 0;
         char glsl[4096];
-        snprintf(glsl, sizeof glsl,
-                 "#include \"math/hash.glsl\"\n#include \"mist/material/place_air.glsl\"\n"
-                 "Atmosphere air_here() { return Atmosphere(6360.0e3, 60.0e3, 7994.0, 1200.0, vec3(1.0), "
-                 "vec3(1.5), "
-                 "vec3(1.5), 0.76, vec3(0.0), 25.0e3, 15.0e3, vec3(20.0)); }\n"
-                 "vec4 evaluate(vec2 t) {\n    vec3 axis = normalize(vec3(0.3, -0.8, 0.5));\n"
-                 "    Material m = air_material(air_here(), vec2(%s));\n"
-                 "    float w = (t.y * 512.0 + t.x + 0.5) / 131072.0 - 1.0;\n"
-                 "    vec3 out_ = in_frame(axis, sqrt(1.0 - w * w), 0.0, w);\n"
-                 "    uvec3 h = hash_3(uvec3(uvec2(t), 7u)), k = hash_3(uvec3(uvec2(t), 8u));\n"
-                 "    Bounce b = place_air_sample(m, vec3(0.0), axis, vec2(unit_float(h.x), unit_float(h.y)), "
-                 "vec2(unit_float(k.x), 0.0));\n"
-                 "    float s = m.roughness + 1.5 * m.ior;\n"
-                 "    return vec4(4.0 * PI * place_air_value(m, vec3(0.0), axis, out_).x / s, w, dot(axis, "
-                 "b.direction), "
-                 "b.weight.x / s);\n}",
-                 densities[i]);
+        snprintf(
+            glsl, sizeof glsl,
+            "#include \"math/hash.glsl\"\n#include \"mist/material/place_air.glsl\"\n"
+            "Atmosphere air_here() { return Atmosphere(6360.0e3, 60.0e3, 7994.0, 1200.0, vec3(1.0), "
+            "vec3(1.5), "
+            "vec3(1.5), 0.76, vec3(0.0), 25.0e3, 15.0e3, vec3(20.0)); }\n"
+            "vec4 evaluate(vec2 t) {\n    vec3 axis = normalize(vec3(0.3, -0.8, 0.5));\n"
+            "    Material m = air_material(air_here(), vec2(%s));\n"
+            "    float w = (t.y * 512.0 + t.x + 0.5) / 131072.0 - 1.0;\n"
+            "    vec3 out_ = in_frame(axis, sqrt(1.0 - w * w), 0.0, w);\n"
+            "    uvec3 h = hash_3(uvec3(uvec2(t), 7u)), k = hash_3(uvec3(uvec2(t), 8u));\n"
+            "    Bounce b = place_air_sample(m, vec3(0.0), axis, vec2(unit_float(h.x), unit_float(h.y)), "
+            "vec2(unit_float(k.x), 0.0));\n"
+            "    float s = m.roughness + 1.5 * m.ior;\n"
+            "    return vec4(4.0 * PI * place_air_value(m, vec3(0.0), axis, out_).x / s, w, dot(axis, "
+            "b.direction), "
+            "b.weight.x / s);\n}",
+            densities[i]);
         support_evaluate(&context, glsl, NULL, SIDE, SIDE, results);
         for (int k = 0; k < TEXELS; k++) {
             const float *v = results + 4 * k;
