@@ -10,11 +10,12 @@ float noise(vec3 position) {
     vec3 low = floor(position);
     vec3 f = position - low;
     vec3 s = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 rest = 1.0 - s;
     ivec3 c = ivec3(low);
     float sum = 0.0;
     for (int i = 0; i < 8; i++) {
         ivec3 corner = ivec3(i % 2, i / 2 % 2, i / 4);
-        vec3 w = vec3(corner.x == 1 ? s.x : 1.0 - s.x, corner.y == 1 ? s.y : 1.0 - s.y, corner.z == 1 ? s.z : 1.0 - s.z);
+        vec3 w = vec3(corner.x == 1 ? s.x : rest.x, corner.y == 1 ? s.y : rest.y, corner.z == 1 ? s.z : rest.z);
         sum += w.x * w.y * w.z * noise_at(c + corner);
     }
     return min(sum, 1.0);

@@ -31,7 +31,8 @@ float absorber_column_level(Atmosphere a, float h, float b) {
 // Returns the column from altitude h to the top. A ray that descends (b < 0) must miss the ground.
 float absorber_column_to_top(Atmosphere a, float h, float b) {
     float up = absorber_column_up(a, h, abs(b));
-    return b < 0.0 ? max(2.0 * absorber_column_level(a, h, b) - up, 0.0) : up;
+    float through = max(2.0 * absorber_column_level(a, h, b) - up, 0.0);
+    return b < 0.0 ? through : up;
 }
 
 // Returns the column from altitude h to the point at distance t along the ray, which has altitude h_t.

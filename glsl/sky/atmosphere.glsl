@@ -54,7 +54,9 @@ float perigee_altitude(float h, float r, float b) {
 float distance_up(Atmosphere a, float h, float b, float top) {
     float c = max((top - h) * (2.0 * a.planet_radius_m + h + top), 0.0);
     float root = sqrt(b * b + c);
-    return b > 0.0 ? c / (b + root) : root - b;
+    float rising = c / (b + root);
+    float falling = root - b;
+    return b > 0.0 ? rising : falling;
 }
 
 float distance_to_top(Atmosphere a, float h, float b) {

@@ -42,6 +42,7 @@ vec2 columns_to_top(Atmosphere a, float h, float b, vec2 density) {
     vec2 up = density * column_lengths(a, r, c);
     float h_low = perigee_altitude(h, r, b);
     vec2 level = densities(a, h_low) * column_lengths(a, a.planet_radius_m + h_low, 0.0);
-    vec2 column = b < 0.0 ? 2.0 * level - up : up;
+    vec2 through = 2.0 * level - up;
+    vec2 column = b < 0.0 ? through : up;
     return max(column - above_top, vec2(0.0));
 }

@@ -53,7 +53,9 @@ GaussNodes gauss_nodes(Atmosphere a, GaussTable table, float h, float r, float b
         float u = table.node[i];
         float s = 1.0 / (1.0 + GAUSS_CROWDING - u);
         float x = (to - from) * GAUSS_CROWDING * u * s;
-        nodes.t[i] = descends ? to - x : from + x;
+        float before = to - x;
+        float after = from + x;
+        nodes.t[i] = descends ? before : after;
         nodes.h[i] = altitude_along(h, r, b, nodes.t[i]);
         nodes.density[i] = densities(a, nodes.h[i]);
         nodes.stretch[i] = (to - from) * GAUSS_CROWDING * (1.0 + GAUSS_CROWDING) * s * s;
@@ -66,7 +68,8 @@ GaussNodes gauss_nodes(Atmosphere a, GaussTable table, float h, float r, float b
 vec2 gauss_column(GaussTable table, GaussNodes nodes, int i, bool descends) {
     vec2 column = vec2(0.0);
     for (int j = 0; j < gauss_count(); j++) column += table.cumulative[GAUSS_NODES * i + j] * nodes.stretch[j] * nodes.density[j];
-    return descends ? nodes.total - column : column;
+    vec2 rest = nodes.total - column;
+    return descends ? rest : column;
 }
 
 SkySums sky_gauss(Atmosphere a, GaussTable table, float h, vec3 view, vec3 sun) {
@@ -93,7 +96,8 @@ SkySums sky_gauss(Atmosphere a, GaussTable table, float h, vec3 view, vec3 sun) 
             float b_sun = r * sun.y + nodes.t[i] * nu;
             column += columns_to_top(a, nodes.h[i], b_sun, nodes.density[i]);
             float absorber = absorber_column_between(a, h, b, nodes.h[i], nodes.t[i]) + absorber_column_to_top(a, nodes.h[i], b_sun);
-            sky_sums_add(sums, a, dark ? 0.0 : table.weight[i] * nodes.stretch[i], nodes.density[i], column, absorber);
+            float lit = table.weight[i] * nodes.stretch[i];
+            sky_sums_add(sums, a, dark ? 0.0 : lit, nodes.density[i], column, absorber);
         }
         column_before += nodes.total;
         from = to;
