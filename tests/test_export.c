@@ -108,6 +108,13 @@ static void test_refusals(void **state) {
     const char *toy =
         support_write("toy.glsl", "void mainImage(out vec4 c, vec2 p) { c = vec4(p, 0.0, 1.0); }\n");
     support_expect(2, "paints its picture by itself", "export %s -o %s", toy, page);
+    const char *choice =
+        support_write("choice.glsl", "#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n"
+                                     "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"
+                                     "    hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, 0, hit);\n}\n"
+                                     "Material scene_material(Hit hit) {\n"
+                                     "    return hit.t > 1.0 ? matte(vec3(0.2)) : matte(vec3(0.5));\n}\n");
+    support_expect(3, "choice.glsl:7", "export %s -o %s", choice, page);
     support_write("balls.csv", "0,1,0,1\n");
     const char *balls = support_write(
         "balls.glsl",

@@ -3,6 +3,7 @@
 #include "base/json.h"
 #include "export/page_frame.h"
 #include "export/page_stand.h"
+#include "export/structure_choice.h"
 #include "render/drawn_mirrors.h"
 #include "sky/sun.h"
 
@@ -93,10 +94,11 @@ static bool write_uniforms(const Writer *writer, int from, int upto) {
 static bool add_text(const Writer *writer, const char *entry, int *number) {
     const Pass pass = {.entry = entry};
     GlslSource source = {0};
-    if (!pass_text(&pass, writer->plan, writer->params, &source, writer->error)) return false;
-    *number = page_texts_add(writer->texts, &source);
+    bool ok = pass_text(&pass, writer->plan, writer->params, &source, writer->error) &&
+              structure_choice_check(&source, writer->error);
+    if (ok) *number = page_texts_add(writer->texts, &source);
     glsl_source_destroy(&source);
-    return true;
+    return ok;
 }
 
 /* Sizes are lines of their own, before the table's. */
