@@ -21,7 +21,8 @@ void hit_plane_minus_sphere(Ray ray, vec3 normal, float offset, vec3 centre, flo
     bool meets_plane = above && descent > 0.0;
     bool on_plane = meets_plane && dot(from_centre, from_centre) > radius * radius;
     bool from_bowl = !above && (descent >= 0.0 || leaves_sphere < crossing);
-    bool in_bowl = meets_plane ? !on_plane : from_bowl;
+    bool off_plane = !on_plane;
+    bool in_bowl = meets_plane ? off_plane : from_bowl;
     float on_bowl = max(leaves_sphere, above ? crossing : 0.0);
     float t = on_plane ? crossing : on_bowl;
     if ((on_plane || in_bowl) && t < hit.t) {
