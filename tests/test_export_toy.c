@@ -360,6 +360,34 @@ static void test_language(void **state) {
                    anew, folder);
 }
 
+/* Whole numbers where floats are wanted, and where they are not. */
+#define WHOLE                                                                                                \
+    GROUND "const float size = 1;\nconst int COUNT = 3;\n"                                                   \
+           "float twice(float x) {\n    float half_of = x / 2, rest = 0;\n    half_of = x * 1 - rest;\n"     \
+           "    return 2 * half_of;\n}\n"                                                                    \
+           "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n"                                               \
+           "    hit_plane(ray, vec3(0, 1, 0), 0, 0, hit);\n    for (int i = 0; i < COUNT; i++) {\n"          \
+           "        int k = i * 2 + 1;\n        float n = -1;\n"                                             \
+           "        hit_sphere(ray, vec3(float(k) - 3, 1 + size * 0, 0), 1 * size / 2, i + 1, hit);\n"       \
+           "        if (n > 0 || k == 100) n = 2;\n    }\n}\n"                                               \
+           "Material scene_material(Hit hit) {\n    vec3 p = hit.position;\n"                                \
+           "    float q = pow(0.5, 2) + mix(0, 1, 0.5) + p.x * 0 + twice(0);\n"                              \
+           "    return matte(vec3(0.2 * q, p.y > 1 ? 0.2 : 0.6, hit.object == 2 ? 0.1 : 0.5));\n}\n"
+
+static void test_whole_numbers(void **state) {
+    (void)state;
+    const char *scene = support_write("whole.glsl", WHOLE), *folder = support_path("whole");
+    support_expect(0, "", "export '%s' --shadertoy -o '%s'", scene, folder);
+    if (has_glslang()) compile_all(folder);
+    expect_words(folder, "common.glsl", "const float size = 1.0;\nconst int COUNT = 3;\n");
+    expect_words(folder, "common.glsl", "        int k = i * 2 + 1;\n        float n = -1.0;\n");
+    expect_words(folder, "common.glsl", "1.0 * size / 2.0, i + 1, hit);");
+    need_gl();
+    char path[700];
+    snprintf(path, sizeof path, "'%s'", scene);
+    assert_true(round_trip(path, "", "40x30", 8) < 0.05);
+}
+
 /* Folders that are there, are files, or cannot be made; a file that cannot be replaced. */
 static void test_folder(void **state) {
     (void)state;
@@ -385,9 +413,9 @@ static void test_folder(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scenes),   cmocka_unit_test(test_round_trip), cmocka_unit_test(test_mouse),
-        cmocka_unit_test(test_settings), cmocka_unit_test(test_names),      cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_language), cmocka_unit_test(test_folder),
+        cmocka_unit_test(test_scenes),   cmocka_unit_test(test_round_trip),    cmocka_unit_test(test_mouse),
+        cmocka_unit_test(test_settings), cmocka_unit_test(test_names),         cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_language), cmocka_unit_test(test_whole_numbers), cmocka_unit_test(test_folder),
     };
     return cmocka_run_group_tests_name("export --shadertoy", tests, support_folder, support_clean);
 }

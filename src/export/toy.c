@@ -10,6 +10,7 @@
 #include "export/toy_hold.h"
 #include "export/toy_names.h"
 #include "export/toy_settings.h"
+#include "export/whole_numbers.h"
 #include "render/passes.h"
 
 #include <math.h>
@@ -125,6 +126,7 @@ static bool rename_names(const Maker *maker, GlslSource *common, Error *error) {
                text_string(&maker->texts.image));
     const ToyNames names = {maker->params.scene->file, common, &tokens, text_string(&others)};
     bool ok = toy_names_put(&names, &edits, error);
+    whole_numbers_mend(common, maker->library, &tokens, &edits);
     apply(common, &edits);
     text_free(&others);
     glsl_tokens_free(&tokens);
