@@ -9,11 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The command that renders the scene with the options that hold for all its presets. */
-static void write_command(const Options *options, const Scene *scene, Text *command) {
+/* The command that renders the scene with the options that hold for all its presets. The scene has the name
+ * that was typed: where it lies on this machine is nobody's business. */
+static void write_command(const Options *options, Text *command) {
     text_print(command, "magichour render ");
-    if (*scene->file->path == '-') text_print(command, "./");
-    text_print_quoted(command, scene->file->path);
+    if (*options->inputs[0] == '-') text_print(command, "./");
+    text_print_quoted(command, options->inputs[0]);
     if (options->atmosphere) text_print(command, " --atmosphere %s", options->atmosphere);
     if (options->orders) text_print(command, " --orders %s", options->orders);
     for (int i = 0; i < options->setting_count; i++) {
@@ -47,7 +48,7 @@ static bool read_states(const Options *options, const char *library, PageState *
 
 static bool write_page(const Options *options, const PageState *states, int count, Error *error) {
     Text html = {0}, command = {0};
-    write_command(options, &states[0].scene, &command);
+    write_command(options, &command);
     const PageParams params = {.states = states,
                                .count = count,
                                .render = {.scene = &states[0].scene,
