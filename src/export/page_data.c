@@ -65,6 +65,14 @@ static int switches_of(const SceneFile *file, int switches[2]) {
     return count;
 }
 
+/* An error that begins with the scene's path, without the folder, which is of no use where the page is read.
+ */
+static const char *without_folder(const char *error, const char *path) {
+    const char *slash = strrchr(path, '/');
+    bool begins = slash && strncmp(error, path, strlen(path)) == 0;
+    return begins ? error + (slash + 1 - path) : error;
+}
+
 /* Writes the variant for each setting of the switches: bit i of its place is switch i. A setting that a page
  * cannot draw is -1, and `why` says why; that of the state itself is an error. */
 static bool write_variants(Data *data, const PageState *state, Json *json) {
@@ -84,7 +92,7 @@ static bool write_variants(Data *data, const PageState *state, Json *json) {
         if (!find_variant(data, &scene, &number)) {
             if (own) return false;
             text_free(&why);
-            text_print(&why, "%s", data->error->text);
+            text_print(&why, "%s", without_folder(data->error->text, file->path));
             number = -1;
         }
         numbers[setting] = number;
