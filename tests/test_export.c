@@ -163,6 +163,7 @@ static void check_shaders(const Context *context, const char *path, const char *
         Text text = {0}, log = {0};
         if (list.passes[i].fills == NULL && strcmp(list.passes[i].name, "trace") != 0) continue;
         if (!pass_text(&list.passes[i], &plan, &params, &source, &error)) fail_msg("%s", error.text);
+        if (!es_mend(&source, "glsl", &error)) fail_msg("%s", error.text);
         es_write(&source, &text);
         assert_null(strstr(text_string(&text), "//"));
         assert_null(strstr(text_string(&text), "#line"));
@@ -179,6 +180,12 @@ static void test_shaders(void **state) {
     (void)state;
     Context context;
     support_open(&context);
+    const char *whole = support_write(
+        "whole.glsl", "#include \"material/matte.glsl\"\n#include \"shape/plane.glsl\"\n"
+                      "void scene_intersect(Ray ray, INOUT(Hit) hit) {\n    float level = 1;\n"
+                      "    hit_plane(ray, vec3(0.0, 1.0, 0.0), 2 * level, 0, hit);\n}\n"
+                      "Material scene_material(Hit hit) {\n    return matte(vec3(1, 1, 0) / 2);\n}\n");
+    check_shaders(&context, whole, NULL);
     check_shaders(&context, "scenes/crater.glsl", NULL);
     check_shaders(&context, "scenes/materials.glsl", NULL);
     check_shaders(&context, "scenes/sundial.glsl", NULL);

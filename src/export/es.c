@@ -1,9 +1,28 @@
 #include "export/es.h"
 
+#include "export/structure_choice.h"
+#include "export/users.h"
+#include "export/whole_numbers.h"
+
 #include "source/glsl_blocks.h"
 
 #include <ctype.h>
 #include <string.h>
+
+bool es_mend(GlslSource *source, const char *library, Error *error) {
+    TextEdits edits = {0};
+    bool own = false;
+    for (int i = 0; i < source->file_count; i++) own |= export_is_users(source, i, library);
+    if (!own) return true;
+    if (!structure_choice_check(source, error)) return false;
+    GlslTokens tokens = glsl_tokens(text_string(&source->text));
+    whole_numbers_mend(source, library, &tokens, &edits);
+    Text text = text_edits_apply(&edits, text_string(&source->text));
+    glsl_tokens_free(&tokens);
+    text_free(&source->text);
+    source->text = text;
+    return true;
+}
 
 /* In a fragment shader of ES floats have no precision of their own, integers may have 16 bits, and what is
  * read from a texture may have fewer still. */

@@ -4,6 +4,10 @@
 
 #include "source/glsl_source.h"
 
+/* Checks and changes the user's files in a text, so that compilers of ES take what those of GLSL 3.30 take.
+ * Fails with STATUS_SCENE and the place where that cannot be done. `library` is the folder of the library. */
+MUST_CHECK bool es_mend(GlslSource *source, const char *library, Error *error);
+
 /* Reads a flattened text piece by piece: a piece is what stands between two #line directives. */
 typedef struct EsReader {
     /* Without comments. */

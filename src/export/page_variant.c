@@ -1,9 +1,9 @@
 #include "export/page_variant.h"
 
 #include "base/json.h"
+#include "export/es.h"
 #include "export/page_frame.h"
 #include "export/page_stand.h"
-#include "export/structure_choice.h"
 #include "render/drawn_mirrors.h"
 #include "sky/sun.h"
 
@@ -95,7 +95,7 @@ static bool add_text(const Writer *writer, const char *entry, int *number) {
     const Pass pass = {.entry = entry};
     GlslSource source = {0};
     bool ok = pass_text(&pass, writer->plan, writer->params, &source, writer->error) &&
-              structure_choice_check(&source, writer->error);
+              es_mend(&source, writer->params->scene->file->sources->folder, writer->error);
     if (ok) *number = page_texts_add(writer->texts, &source);
     glsl_source_destroy(&source);
     return ok;
