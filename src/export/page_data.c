@@ -1,11 +1,18 @@
 #include "export/page_data.h"
 
 #include "base/json.h"
+#include "base/memory.h"
 #include "export/page_variant.h"
 #include "sky/observer.h"
 
 #include <stdlib.h>
 #include <string.h>
+
+/* A variant that was made, and what it was made for. */
+typedef struct Known {
+    Text key;
+    int number;
+} Known;
 
 /* Lines go to `out` at once, those of variants into texts of their own, so that each stands once. */
 typedef struct Data {
@@ -16,6 +23,9 @@ typedef struct Data {
     PageTexts texts;
     /* The lines of all variants, and for each variant the numbers of its lines. */
     PageList steps, variants;
+    /* The variants by what they depend on. */
+    Known *known;
+    int known_count;
     FILE *out;
     Error *error;
 } Data;
@@ -43,8 +53,20 @@ static void write_air(const Scene *scene, Text *lines) {
                *forward ? forward : "0", scene_sphere_count(scene) >= 0 ? scene->file->spheres : "0");
 }
 
-/* The number of the variant that draws the scene. */
-static bool find_variant(Data *data, const Scene *scene, int *number) {
+/* What variants depend on, as bytes: not the sun's place, the camera and the sliders, which the script sets.
+ */
+static Text key_of(const Scene *scene) {
+    const SceneValues *values = &scene->values;
+    const bool flags[] = {values->sun_disk, scene_has_mist(scene), scene_has_air(scene)};
+    Text key = {0};
+    text_append(&key, &values->atmosphere, sizeof values->atmosphere);
+    text_append(&key, &values->sun.radius_deg, sizeof values->sun.radius_deg);
+    text_append(&key, &values->ignored_hints, sizeof values->ignored_hints);
+    text_append(&key, flags, sizeof flags);
+    return key;
+}
+
+static bool make_variant(Data *data, const Scene *scene, int *number) {
     RenderParams render = data->render;
     Plan plan;
     Text lines = {0};
@@ -55,6 +77,25 @@ static bool find_variant(Data *data, const Scene *scene, int *number) {
     if (ok) *number = add_variant(data, lines.data);
     text_free(&lines);
     return ok;
+}
+
+/* The number of the variant that draws the scene. Presets ask for the same few. */
+static bool find_variant(Data *data, const Scene *scene, int *number) {
+    Text key = key_of(scene);
+    for (int i = 0; i < data->known_count; i++) {
+        Known *known = &data->known[i];
+        if (known->key.size != key.size || memcmp(known->key.data, key.data, key.size) != 0) continue;
+        text_free(&key);
+        *number = known->number;
+        return true;
+    }
+    if (!make_variant(data, scene, number)) {
+        text_free(&key);
+        return false;
+    }
+    data->known = memory_grow(data->known, (size_t)data->known_count + 1, sizeof *data->known);
+    data->known[data->known_count++] = (Known){key, *number};
+    return true;
 }
 
 /* The parameters that switch mist and air on and off, and with them programs. Returns how many there are. */
@@ -222,6 +263,8 @@ bool page_data(const PageParams *params, Text *lines, Error *error) {
     if (ok) text_append(lines, bytes, size);
     free(bytes);
     page_texts_free(&data.texts);
+    for (int i = 0; i < data.known_count; i++) text_free(&data.known[i].key);
+    free(data.known);
     page_list_free(&data.steps);
     page_list_free(&data.variants);
     return ok;
