@@ -86,6 +86,32 @@ function target(width, height, count, format, filter) {
     return made;
 }
 
+// The same in halves, to the nearest: some drivers cut what is drawn into halves, and tables hold fourth roots, by which the error is four times as large.
+function halved(exact, filter) {
+    const id = link(`#version 300 es
+precision highp float;
+precision highp int;
+uniform highp sampler2D one, other;
+layout(location = 0) out vec4 first;
+layout(location = 1) out vec4 second;
+vec4 nearest(vec4 v) { return uintBitsToFloat((floatBitsToUint(v) + 0x1000u) & 0xffffe000u); }
+void main() {
+first = nearest(texelFetch(one, ivec2(gl_FragCoord.xy), 0));
+second = nearest(texelFetch(other, ivec2(gl_FragCoord.xy), 0));
+}`);
+    const { width, height, textures } = exact, made = target(width, height, textures.length, gl.RGBA16F, filter);
+    gl.useProgram(id);
+    gl.uniform1i(gl.getUniformLocation(id, "other"), textures.length - 1);
+    textures.forEach((texture, unit) => { gl.activeTexture(gl.TEXTURE0 + unit); gl.bindTexture(gl.TEXTURE_2D, texture); });
+    gl.bindFramebuffer(gl.FRAMEBUFFER, made.framebuffer);
+    gl.viewport(0, 0, width, height);
+    gl.scissor(0, 0, width, height);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.deleteProgram(id);
+    drop(exact);
+    return made;
+}
+
 function drop(made) {
     made.textures.forEach((id) => gl.deleteTexture(id));
     gl.deleteFramebuffer(made.framebuffer);
@@ -267,18 +293,19 @@ async function fill(step, values, textures, made, stale) {
     if (!table || table.key !== key) {
         const [width, height] = step.sized ? values.sizes[step.sized] : values.size, samplers = step.samplers.split(" "), half = step.linear && !filtered;
         const count = samplers.length > 1 && samplers[1] ? 2 : 1, filter = step.linear ? gl.LINEAR : gl.NEAREST;
-        const again = drawn && table && table.draws === step.draws && table.width === width && table.height === height;
+        const again = drawn && !half && table && table.draws === step.draws && table.width === width && table.height === height;
         if (table && !again) drop(table);
         tables[step.place] = null;
         if (drawn) {
-            if (!again) table = target(width, height, count, half ? gl.RGBA16F : gl.RGBA32F, filter);
-            table.draws = step.draws;
+            if (!again) table = target(width, height, count, gl.RGBA32F, half ? gl.NEAREST : filter);
             const reads = { ...textures };
             for (const read of step.reads.split(" ").filter(Boolean)) {
                 const [name, place, output] = read.split(/[=.]/);
                 reads[name] = made[place].textures[output];
             }
             await draw(drawn, values, reads, table, step.pace ??= { speed: 20 }, stale);
+            if (half) table = halved(table, filter);
+            table.draws = step.draws;
         } else {
             table = MAKERS[step.maker](step.inputs.split(" ").map((place) => made[place]), values);
         }

@@ -262,6 +262,7 @@ function fit_canvas() {
 }
 
 async function draw_next() {
+    if (lost) throw new Stale();
     const now = performance.now(), stale = () => version !== shown;
     if (!picture || version !== shown || (picture.coarse && now - moved_ms > 200)) {
         const first = !picture, moving = previews && (first || (version !== shown && now - moved_ms < 200)), speed = picture ? picture.pace.speed : 2000;
@@ -287,23 +288,33 @@ async function draw_next() {
     tell();
 }
 
+// After the context was lost nothing that was made in it is left, and all begins anew when there is another.
+let lost = false;
 async function run() {
     for (;;) {
         try {
+            lost = false;
             begin_gl();
             refresh();
-            await patiently(async () => { while (!picture || !picture.film.samples) await draw_next(); });
-            for (;;) await draw_next().catch((error) => { if (!(error instanceof Stale) || gl.isContextLost()) throw error; });
+            const go_on = () => draw_next().catch((error) => { if (!(error instanceof Stale) || lost || gl.isContextLost()) throw error; });
+            await patiently(async () => { while (!picture || !picture.film.samples) await go_on(); });
+            for (;;) await go_on();
         } catch (error) {
             picture = null;
-            if (!gl || !gl.isContextLost()) say(error.message);
-            await new Promise((go) => { wake = go; });
+            const gone = gl && gl.isContextLost();
+            if (!gone && !lost) say(error.message);
+            if (gone || !lost) await new Promise((go) => { wake = go; });
             if (gl && !gl.isContextLost() && trouble === error.message) say("");
         }
     }
 }
 
-canvas.addEventListener("webglcontextlost", (event) => { event.preventDefault(); say("The graphics driver has stopped drawing this page. It goes on as soon as the driver allows it; else reload the page."); });
+canvas.addEventListener("webglcontextlost", (event) => {
+    event.preventDefault();
+    lost = true;
+    say("The graphics driver has stopped drawing this page. It goes on as soon as the driver allows it; else reload the page.");
+    wake();
+});
 canvas.addEventListener("webglcontextrestored", () => { say(""); wake(); });
 
 DATA.states.forEach(({ state: name }) => by_id("preset").append(new Option(name || "as the scene has it", name)));
