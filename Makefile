@@ -13,7 +13,7 @@ LEFT_OUT += $(if $(filter 0,$(ALMANAC)),%/scene/almanac.c tests/test_almanac.c,%
 LEFT_OUT += $(if $(filter 0,$(WINDOW)),tests/test_view.c tests/test_window%) $(if $(filter 0,$(CHART)),tests/test_chart.c)
 # The tests in a browser need a library for JSON. Without it they are skipped, and say so.
 WEB_LIBS := $(shell pkg-config --libs jansson 2>/dev/null)
-LEFT_OUT += $(if $(WEB_LIBS),tests/test_browser_none.c,tests/browser%.c tests/test_browser.c tests/test_web.c)
+LEFT_OUT += $(if $(WEB_LIBS),tests/test_browser_none.c,tests/browser%.c tests/web.c tests/test_browser.c tests/test_web%.c)
 
 # pkg-config is slow, so it is asked once. Its answer is empty where a library is missing.
 PKGS := OpenEXR libpng $(if $(filter 0,$(ALMANAC)),,erfa) $(if $(filter 0,$(CHART)),,cairo) $(if $(filter 0,$(WINDOW)),,glfw3 imgui)

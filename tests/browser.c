@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 /* ---- Start and end */
@@ -63,6 +64,10 @@ void browser_stop(Browser *browser) {
     if (!browser) return;
     browser_pipe_stop(browser);
     free(browser);
+}
+
+bool browser_runs(const Browser *browser) {
+    return waitpid(browser->process, NULL, WNOHANG) == 0 && !browser->crashed;
 }
 
 /* ---- Events */
@@ -183,7 +188,7 @@ void browser_scripts(Browser *browser, bool allowed) {
 /* The value of an expression, which is the caller's; `wrap` stands around it: "String(%s)". */
 static json_t *evaluate(Browser *browser, const char *before, const char *after, const char *format,
                         va_list list) {
-    char expression[8192];
+    char expression[16384];
     Text text = {0};
     if (vsnprintf(expression, sizeof expression, format, list) >= (int)sizeof expression)
         fail_msg("the expression is too long");
@@ -294,6 +299,18 @@ void browser_await(Browser *browser, const char *format, ...) {
             fail_msg("waited in vain for: %s\n%s", expression, browser_errors(browser));
         usleep(10000);
     }
+}
+
+void browser_give(Browser *browser, const char *name, const char *text) {
+    json_t *string = json_string(text);
+    if (!string) fail_msg("%s is no UTF-8", name);
+    char *quoted = json_dumps(string, JSON_ENCODE_ANY);
+    Text expression = {0};
+    text_print(&expression, "void (window.%s = %s)", name, quoted);
+    browser_tell(browser, "Runtime.evaluate", json_pack("{s:s}", "expression", text_string(&expression)));
+    text_free(&expression);
+    free(quoted);
+    json_decref(string);
 }
 
 /* ---- What was told */

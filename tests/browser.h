@@ -20,6 +20,9 @@ void browser_missing(const char *reason);
 /* Ends it with all its processes. NULL is none. */
 void browser_stop(Browser *browser);
 
+/* Whether it has not been ended, by whomever. */
+bool browser_runs(const Browser *browser);
+
 /* Opens a file, or what begins like a URL, and waits until it is loaded. What errors and requests are told
  * begins anew. `fragment` may be "", or "#sun=5". */
 void browser_open(Browser *browser, const char *path, const char *fragment);
@@ -43,6 +46,9 @@ const void *browser_bytes(Browser *browser, size_t *size, const char *format, ..
 
 /* Does it, whatever its value. */
 void browser_do(Browser *browser, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Sets window.NAME to a text of any length. */
+void browser_give(Browser *browser, const char *name, const char *text);
 
 /* Waits until it is true. */
 void browser_await(Browser *browser, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -128,7 +128,7 @@ bool browser_pipe_start(Browser *browser, const char *name, const char *const *f
 
 static bool ended(Browser *browser, double seconds) {
     for (double end = clock_seconds() + seconds; clock_seconds() < end; usleep(10000)) {
-        if (waitpid(browser->process, NULL, WNOHANG) == browser->process) return true;
+        if (waitpid(browser->process, NULL, WNOHANG) != 0) return true;
     }
     return false;
 }
