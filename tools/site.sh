@@ -11,11 +11,13 @@ magichour=$(realpath "$1")
 mkdir -p "$2"
 folder=$(realpath "$2")
 shift 2
+root=$(realpath "$(dirname "$0")/..")
+# From the project's root, so that pages name a scene of the project as everybody would.
 for scene in "$@"; do
     shift
-    set -- "$@" "$(realpath "$scene")"
+    set -- "$@" "$(realpath --relative-base="$root" "$scene")"
 done
-cd "$(dirname "$0")/.."
+cd "$root"
 [ $# -gt 0 ] || set -- scenes/*.glsl
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -86,12 +88,29 @@ gallery() {
 # none WHAT REASON
 none() { [ -z "$2" ] || echo "<p class=\"none\">There is no $1: $(echo "$2" | escape)</p>"; }
 
+# simpler NAME SCENE: the texts for Shadertoy of a scene that they do not hold as it is; prints what they leave out, or nothing.
+simpler() {
+    while read -r options; do
+        # shellcheck disable=SC2086
+        [ -z "$(exported "$2" --shadertoy -o "$folder/$1-shadertoy" $options)" ] || continue
+        echo "$options"
+        return
+    done <<OPTIONS
+--sun-disk=off
+--orders 1 --set atmosphere.ground_albedo=0
+--orders 1 --set atmosphere.ground_albedo=0 --sun-disk=off
+OPTIONS
+}
+
 # links NAME SCENE: the scene's page and texts, or why there is none.
 links() {
     texts=
+    left_out=
     rm -rf "$folder/$1.html" "$folder/$1-shadertoy"
     reason=$(exported "$2" -o "$folder/$1.html")
     [ -z "$shadertoy" ] || texts=$(exported "$2" --shadertoy -o "$folder/$1-shadertoy")
+    [ -z "$texts" ] || left_out=$(simpler "$1" "$2")
+    [ -z "$left_out" ] || texts=
     echo '<ul>'
     [ -n "$reason" ] || echo "<li><a href=\"$1.html\">Move its sun in the browser</a>"
     for file in "$folder/$1-shadertoy"/*.glsl; do
@@ -99,6 +118,7 @@ links() {
     done
     echo "<li><a href=\"$1.txt\">The scene's text</a>"
     echo '</ul>'
+    [ -z "$left_out" ] || echo "<p class=\"none\">The texts for Shadertoy are made with <code>$left_out</code>, because they hold no tables and no disk.</p>"
     none "page of it" "$reason"
     none "text of it for Shadertoy" "$texts"
 }

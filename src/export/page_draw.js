@@ -134,8 +134,11 @@ const source = (number) => DATA.shaders[number].split(" ").map((piece) => DATA.p
 
 function refuse(id) {
     if (gl.isContextLost()) throw new Stale();
-    const logs = gl.getAttachedShaders(id).map((shader) => gl.getShaderInfoLog(shader));
-    throw new Error("This browser's compiler refuses a shader: " + (logs.filter(Boolean).join(" ") || gl.getProgramInfoLog(id)).slice(0, 400));
+    const [vertex, fragment] = gl.getAttachedShaders(id).sort((a) => (gl.getShaderParameter(a, gl.SHADER_TYPE) === gl.VERTEX_SHADER ? -1 : 1));
+    const log = gl.getShaderInfoLog(fragment) || gl.getShaderInfoLog(vertex) || gl.getProgramInfoLog(id), [, line] = log.match(/^ERROR: 0:(\d+):/) || [];
+    // The line itself says more than its number in a text that nobody sees.
+    const text = line ? ` The line is: ${gl.getShaderSource(fragment).split("\n")[line - 1]}` : "";
+    throw new Error(`This browser's compiler refuses a shader: ${log.slice(0, 400)}${text}`);
 }
 
 // Asking for the result would wait for it.
@@ -297,7 +300,10 @@ async function fill(step, values, textures, made, stale) {
         if (table && !again) drop(table);
         tables[step.place] = null;
         if (drawn) {
-            if (!again) table = target(width, height, count, gl.RGBA32F, half ? gl.NEAREST : filter);
+            if (!again) table = Object.assign(target(width, height, count, gl.RGBA32F, half ? gl.NEAREST : filter), { draws: step.draws });
+            // If drawing is given up, the textures serve the next time.
+            table.key = "";
+            tables[step.place] = table;
             const reads = { ...textures };
             for (const read of step.reads.split(" ").filter(Boolean)) {
                 const [name, place, output] = read.split(/[=.]/);
@@ -305,7 +311,6 @@ async function fill(step, values, textures, made, stale) {
             }
             await draw(drawn, values, reads, table, step.pace ??= { speed: 20 }, stale);
             if (half) table = halved(table, filter);
-            table.draws = step.draws;
         } else {
             table = MAKERS[step.maker](step.inputs.split(" ").map((place) => made[place]), values);
         }

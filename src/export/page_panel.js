@@ -241,7 +241,7 @@ function tell() {
     const samples = picture.film.samples, words = [picture.coarse ? "preview" : `${samples} sample${samples > 1 ? "s" : ""} a pixel`];
     if (rate) words.push(`${(rate / 1e6).toPrecision(2)} million paths a second`);
     by_id("figures").textContent = words.join(", ") + (paused ? ", paused" : "");
-    if (!picture.coarse) by_id("command").value = command_text();
+    by_id("command").value = command_text();
 }
 
 // Says so while the browser compiles, which it may put off until the first draw.
