@@ -41,7 +41,7 @@ LDFLAGS += $(if $(KEEP),-rdynamic)
 LDLIBS := $(PKG_LIBS) -ldl -lm
 
 SOURCES := $(filter-out $(LEFT_OUT),$(sort $(wildcard src/*.c src/*/*.c src/*/*.cpp)))
-OBJECTS := $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(SOURCES)))) $(BUILD)/src/export/embedded.o
+OBJECTS := $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(SOURCES)))) $(BUILD)/src/export/embedded.o $(BUILD)/src/cmd/templates.o
 BASE := $(filter $(BUILD)/src/base/%,$(OBJECTS))
 LIBRARY := $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(LEFT_OUT),$(wildcard tests/test_*.c)))
@@ -72,14 +72,23 @@ $(TESTS:=.o): | cmocka
 cmocka:
 	@pkg-config --exists cmocka || tools/deps.sh --missing $(TEST_NEEDS)
 
-# The files that stand in every page that is exported, as strings (src/export/embedded.h), without indentation and without lines of comments.
+# C that has files as strings: embedded_NAME_ENDING of NAME.ENDING. $(1): the header that declares them, $(2): the files, $(3): what sed changes in them.
+as_strings = { echo '\#include "$(1)"'; for file in $(2); do echo "const char embedded_$$(basename $$file | tr . _)[] = {"; \
+    sed '$(3)' $$file | od -An -v -td1 | sed 's/\([0-9]\)\( \|$$\)/\1,/g'; echo "0};"; done; }
+
+# The files that stand in every page that is exported, without indentation and without lines of comments.
 EMBEDDED := src/export/page.html src/export/page.css src/export/page_draw.js src/export/page_spheres.js src/export/page_panel.js
 $(BUILD)/src/export/embedded.c: $(EMBEDDED) Makefile
 	@mkdir -p $(@D)
-	@{ echo '#include "export/embedded.h"'; for file in $(EMBEDDED); do \
-	    echo "const char embedded_$$(basename $$file | tr . _)[] = {"; sed 's/^ *//; /^\/\//d' $$file | od -An -v -td1 | sed 's/\([0-9]\)\( \|$$\)/\1,/g'; echo "0};"; done; } > $@
+	@$(call as_strings,export/embedded.h,$(EMBEDDED),s/^ *//; /^\/\//d) > $@
 
-$(BUILD)/src/export/embedded.o: $(BUILD)/src/export/embedded.c $(BUILD)/flags
+# The scenes to begin with, which `magichour new` writes.
+TEMPLATES := scenes/templates/exact.glsl scenes/templates/marched.glsl scenes/templates/shadertoy.glsl
+$(BUILD)/src/cmd/templates.c: $(TEMPLATES) Makefile
+	@mkdir -p $(@D)
+	@$(call as_strings,cmd/templates.h,$(TEMPLATES),) > $@
+
+$(BUILD)/%.o: $(BUILD)/%.c $(BUILD)/flags
 	@echo compile $<
 	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
 

@@ -48,6 +48,8 @@ static Status run(const Options *options, int argc, char **argv, Error *error) {
         return cmd_info(options, error);
     case COMMAND_EXPORT:
         return cmd_export(options, argc, argv, error);
+    case COMMAND_NEW:
+        return cmd_new(options, error);
     case COMMAND_FLATTEN:
         return cmd_flatten(options, error);
     case COMMAND_SKY:

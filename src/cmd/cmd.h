@@ -11,6 +11,7 @@ Status cmd_sweep(const Options *options, char **argv, Error *error);
 Status cmd_compare(const Options *options, Error *error);
 Status cmd_info(const Options *options, Error *error);
 Status cmd_export(const Options *options, int argc, char **argv, Error *error);
+Status cmd_new(const Options *options, Error *error);
 Status cmd_flatten(const Options *options, Error *error);
 Status cmd_sky(const Options *options, int argc, char **argv, Error *error);
 Status cmd_chart(const Options *options, Error *error);

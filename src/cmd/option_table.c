@@ -24,6 +24,8 @@ const CommandRow command_table[] = {
      "the list of jobs of a time-lapse: a render for each place of the sun", 1, MOST_INPUTS},
     {COMMAND_EXPORT, "export", "export SCENE -o FILE.html | --shadertoy -o DIR [options]",
      "a page that draws the scene in any browser, or its texts for Shadertoy", 1, 1},
+    {COMMAND_NEW, "new", "new NAME [--kind KIND]", "write a scene to begin with, with comments that teach", 1,
+     1},
     {COMMAND_HELP, "help", "help [COMMAND]", "the commands, or a command's options", 0, 1},
     {COMMAND_VERSION, "version", "version", "the program's version", 0, 0},
 };
@@ -44,7 +46,8 @@ enum {
     M = COMMAND_MERGE,
     W = COMMAND_SWEEP,
     X = COMMAND_EXPORT,
-    ALL = R | X | M | W | V | C | I | F | S | H | E | COMMAND_HELP | COMMAND_VERSION
+    N = COMMAND_NEW,
+    ALL = R | N | X | M | W | V | C | I | F | S | H | E | COMMAND_HELP | COMMAND_VERSION
 };
 
 /* These are a row's kind, function, offset and words. */
@@ -232,6 +235,10 @@ const OptionRow option_table[] = {
      NULL},
     {GROUP_METHODS, "--sequence", "METHOD", R | V | F | X, STRING(sequence), "the random numbers", NULL},
 
+    {GROUP_OTHER, "--kind", "KIND", N, WORD(kind, "exact,marched,shadertoy"),
+     "exact (solids that rays meet by formulas), marched (a distance field) or shadertoy (a file with "
+     "mainImage()); exact by default",
+     NULL},
     {GROUP_OTHER, "--backend", "NAME", R | I | S | H | E, STRING(backend), "auto, egl, osmesa or glfw", NULL},
     {GROUP_OTHER, "--glsl-dir", "DIR", R | V | I | F | S | H | E | X, STRING(glsl_dir),
      "the GLSL library, in place of the one beside the program", NULL},

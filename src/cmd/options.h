@@ -21,7 +21,8 @@ typedef enum Command {
     COMMAND_VERSION = 1 << 9,
     COMMAND_MERGE = 1 << 10,
     COMMAND_SWEEP = 1 << 11,
-    COMMAND_EXPORT = 1 << 12
+    COMMAND_EXPORT = 1 << 12,
+    COMMAND_NEW = 1 << 13
 } Command;
 
 /* Files that a command may take: `merge` takes so many. */
@@ -140,6 +141,9 @@ typedef struct Options {
 
     /* For `merge`: the result cannot be merged again. */
     bool final;
+
+    /* For `new`: "exact", "marched" or "shadertoy"; NULL for the first. */
+    const char *kind;
 
     /* For `compare`: where to write both pictures and their difference. */
     const char *side_by_side;

@@ -10,6 +10,7 @@
 #include "sky/scene_air.h"
 #include "sky/sky_sampler.h"
 #include "sky/sun.h"
+#include "source/glsl_missing.h"
 
 #include <string.h>
 
@@ -114,6 +115,7 @@ bool pass_compile(Program *program, const GlApi *gl, const GlslSource *source, c
     if (program_create(program, gl, source, error)) return true;
     /* If the scene's text ends too early, the compiler reports the error in the library's text behind it. */
     const SceneFile *file = params->scene->file;
+    glsl_missing_advise(source, file->sources->folder, error);
     if (strncmp(error->text, file->sources->folder, strlen(file->sources->folder)) == 0)
         error_prefix(error, "%s: ", file->path);
     return false;
