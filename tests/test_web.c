@@ -17,7 +17,7 @@ static const WebBounds same = {.rel_rmse_percent = 0.001, .mean_percent = 0.001}
 
 /* A page divides a set of spheres into other boxes than the host does, so that now and then a ray that grazes
  * a sphere is rounded to its other side. */
-static const WebBounds same_but_tree = {.rel_rmse_percent = 0.1, .mean_percent = 0.01};
+static const WebBounds same_but_tree = {.rel_rmse_percent = 0.01, .mean_percent = 0.001};
 
 enum { SIZE = 96, SAMPLES = 8 };
 

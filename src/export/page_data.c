@@ -48,7 +48,7 @@ static int add_variant(Data *data, char *lines) {
  * `spheres` how many there are, both a number or a slider's name. */
 static void write_air(const Scene *scene, Text *lines) {
     const char *forward = scene->file->mist.words[MIST_FORWARD];
-    text_print(lines, "{\"horizon\": %.9g, \"radius\": %.9g, \"forward\": \"%s\", \"spheres\": \"%s\"}\n",
+    text_print(lines, "{\"horizon\": %.17g, \"radius\": %.17g, \"forward\": \"%s\", \"spheres\": \"%s\"}\n",
                sky_horizon_sine(&scene->values.atmosphere), scene->values.sun.radius_deg,
                *forward ? forward : "0", scene_sphere_count(scene) >= 0 ? scene->file->spheres : "0");
 }

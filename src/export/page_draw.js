@@ -342,9 +342,10 @@ function sky_sampler([patches], values) {
     }
     for (let i = 0; i < cells; i++) {
         if (toward[4 * i + 1] > 0) weights[i] += ((total > 0 ? 0.01 * total : 1) * light[4 * i + 3]) / (2 * Math.PI);
-        sum += weights[i];
         if (weights[i] > 0) wanted++;
     }
+    // In the order of src/sky/sky_sampler.c, so that the same bins come of it.
+    for (const cell of order) sum += weights[cell];
     const table = new Float32Array(4 * bins), shares = new Float32Array(4 * cells);
     let passed = 0, given = 0, first = 0;
     for (const cell of order) {

@@ -1,6 +1,7 @@
 #include "export/page_variant.h"
 
 #include "base/json.h"
+#include "base/memory.h"
 #include "export/es.h"
 #include "export/page_frame.h"
 #include "export/page_stand.h"
@@ -39,6 +40,13 @@ static bool same_scans(const Writer *writer, int entry, PageSame *same) {
     return true;
 }
 
+/* The value as a program gets it. */
+static double rounded(const Uniform *uniform, int i) {
+    double value = uniform->type == UNIFORM_FLOATS ? uniform->many[i] : uniform->values[i];
+    bool whole = uniform->type == UNIFORM_INT || uniform->type == UNIFORM_UINT;
+    return whole ? value : (double)(float)value;
+}
+
 static void write_value(const Writer *writer, const Uniform *uniform, double from_deg, bool coarse) {
     static const int components[] = {1, 1, 1, 3, 4, 1};
     bool many = uniform->type == UNIFORM_FLOATS;
@@ -46,9 +54,13 @@ static void write_value(const Writer *writer, const Uniform *uniform, double fro
     json_text(&json, "uniform", uniform->name);
     if (from_deg > -90) json_number(&json, "from", from_deg);
     if (coarse) json_flag(&json, "coarse", true);
-    json_numbers(&json, "values", many ? uniform->many : uniform->values,
-                 many ? uniform->count : components[uniform->type]);
+    int count = many ? uniform->count : components[uniform->type];
+    double *values = memory_get((size_t)count, sizeof *values);
+    /* Rounded once, as the host rounds them: nine digits are enough for a float, and for it alone. */
+    for (int i = 0; i < count; i++) values[i] = rounded(uniform, i);
+    json_numbers(&json, "values", values, count);
     json_end(&json, writer->file);
+    free(values);
 }
 
 /* Whether the uniform has been written with the same values, and not with others since. */
