@@ -39,7 +39,10 @@ only_say=""
 if [ "${1-}" = --missing ]; then only_say=yes && shift; fi
 
 needed=""
-for group in "${@:-build}"; do needed="$needed $(packages_of "$group")" optional="$optional $(optional_of "$group")"; done
+for group in "${@:-build}"; do
+    needed="$needed $(packages_of "$group")"
+    optional="$optional $(optional_of "$group")"
+done
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
     echo "deps: this is not Debian or Ubuntu; what is needed has other names here than:$needed" >&2
