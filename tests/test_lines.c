@@ -64,7 +64,7 @@ static void test_json(void **state) {
     rewind(file);
     assert_non_null(fgets(got, sizeof got, file));
     assert_string_equal(got,
-                        "{\"at\": \"a \\\"path\\\" \\\\ of\\u0009tabs\\u000a\", \"x\": 0.1, \"no\": null, "
+                        "{\"at\": \"a \\\"path\\\" \\\\ of\\u0009tabs\\n\", \"x\": 0.1, \"no\": null, "
                         "\"endless\": null, \"clock\": 1234567.000001, \"n\": 18446744073709551615, "
                         "\"done\": false}\n");
     assert_null(fgets(got, sizeof got, file));
