@@ -1,80 +1,15 @@
 /* The further solids as distance fields: beside the least distance to points of their surfaces, which are
  * said by parameters here and searched in double precision.
  */
+#include "solid.h"
 #include "support.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { WIDTH = 64, HEIGHT = 32, ITEMS = WIDTH * HEIGHT / 2, GRID = 40, NODES = GRID + 1, MOST_PATCHES = 72 };
-
-typedef struct Place {
-    double x, y, z;
-} Place;
-
-/* A solid in its own frame: patches of its surface with u and v from 0 to 1, and what is inside. `words` are
- * its parameters in GLSL, multiplied by s. */
-typedef struct Solid {
-    const char *file, *name, *words;
-    Place (*surface)(int patch, double u, double v);
-    int patches;
-    bool (*inside)(Place p);
-    bool turned;       /* its y is the axis N, and its x the direction E */
-    bool outside_only; /* exact only there */
-} Solid;
-
-static float inputs[8 * ITEMS], results[8 * ITEMS];
 static Context context;
-static unsigned random_state;
 static const double PI2 = 6.283185307179586;
-
-static double random_unit(void) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return (random_state >> 8) / 16777216.0;
-}
-
-static double distance2(Place a, Place b) {
-    return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z);
-}
-
-/* Solids of revolution about y: a place of the section's outline, turned. */
-static Place spun(double across, double height, double turn) {
-    return (Place){across * cos(PI2 * turn), height, across * sin(PI2 * turn)};
-}
-
-static double across(Place p) {
-    return sqrt(p.x * p.x + p.z * p.z);
-}
-
-static double mixed(double a, double b, double t) {
-    return a + t * (b - a);
-}
-
-static Place moved(Place at, double x, Place ex, double y, Place ey, double z, Place ez) {
-    return (Place){at.x + x * ex.x + y * ey.x + z * ez.x, at.y + x * ex.y + y * ey.y + z * ez.y,
-                   at.z + x * ex.z + y * ey.z + z * ez.z};
-}
-
-static Place crossed(Place a, Place b) {
-    return (Place){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static Place united(Place a) {
-    double size = sqrt(distance2(a, (Place){0, 0, 0}));
-    return (Place){a.x / size, a.y / size, a.z / size};
-}
-
-/* A tube about the direction `along` at a place of its middle, and its round end. */
-static Place tube(Place at, Place along, double radius, double turn) {
-    Place side = united(crossed(along, (Place){0.1, 0.2, 0.9})), other = crossed(along, side);
-    return moved(at, radius * cos(PI2 * turn), side, radius * sin(PI2 * turn), other, 0, along);
-}
-
-static Place tube_end(Place at, Place along, double radius, double u, double turn) {
-    double out = radius * sin(PI2 / 4 * u);
-    return tube(moved(at, 0, at, 0, at, radius * cos(PI2 / 4 * u), along), along, out, turn);
-}
 
 /* A frame is the union of its twelve bars, of which each is a box with six faces. */
 static const double frame[3] = {0.7, 0.4, 1.0}, frame_bar = 0.2;
@@ -86,7 +21,8 @@ static Place frame_at(int patch, double u, double v) {
     for (int k = 0; k < 3; k++) {
         int c = (along + k) % 3;
         double inner = frame[c] - frame_bar, side = k && (bar >> (k - 1)) & 1 ? -1 : 1;
-        at[c] = k ? side * mixed(inner, frame[c], in_bar[c]) : mixed(-frame[c], frame[c], in_bar[c]);
+        at[c] =
+            k ? side * place_mixed(inner, frame[c], in_bar[c]) : place_mixed(-frame[c], frame[c], in_bar[c]);
     }
     return (Place){at[0], at[1], at[2]};
 }
@@ -102,21 +38,24 @@ static bool frame_has(Place p) {
 }
 
 static Place ring_part_at(int patch, double u, double v) {
-    double angle = patch == 0 ? mixed(-2.2, 2.2, u) : patch == 1 ? -2.2 : 2.2, way = patch == 1 ? -1 : 1;
+    double angle = patch == 0   ? place_mixed(-2.2, 2.2, u)
+                   : patch == 1 ? -2.2
+                                : 2.2,
+           way = patch == 1 ? -1 : 1;
     Place at = {0.8 * cos(angle), 0, 0.8 * sin(angle)}, along = {-way * sin(angle), 0, way * cos(angle)};
-    return patch == 0 ? tube(at, along, 0.2, v) : tube_end(at, along, 0.2, u, v);
+    return patch == 0 ? place_tube(at, along, 0.2, v) : place_tube_end(at, along, 0.2, u, v);
 }
 
 static bool ring_part_has(Place p) {
     double angle = fmax(-2.2, fmin(atan2(p.z, p.x), 2.2));
-    return distance2(p, (Place){0.8 * cos(angle), 0, 0.8 * sin(angle)}) < 0.2 * 0.2;
+    return place_distance2(p, (Place){0.8 * cos(angle), 0, 0.8 * sin(angle)}) < 0.2 * 0.2;
 }
 
 static Place link_at(int patch, double u, double v) {
     double side = patch % 2 ? -1 : 1, angle = PI2 / 2 * (u - 0.5);
-    if (patch < 2) return tube((Place){u - 0.5, 0, side * 0.4}, (Place){1, 0, 0}, 0.15, v);
-    return tube((Place){side * (0.5 + 0.4 * cos(angle)), 0, 0.4 * sin(angle)},
-                (Place){-side * sin(angle), 0, cos(angle)}, 0.15, v);
+    if (patch < 2) return place_tube((Place){u - 0.5, 0, side * 0.4}, (Place){1, 0, 0}, 0.15, v);
+    return place_tube((Place){side * (0.5 + 0.4 * cos(angle)), 0, 0.4 * sin(angle)},
+                      (Place){-side * sin(angle), 0, cos(angle)}, 0.15, v);
 }
 
 static bool link_has(Place p) {
@@ -129,8 +68,8 @@ static Place prism_at(const double (*corners)[2], int count, int patch, double u
     double place = patch < count ? patch + v : fmin(v * count, count - 1e-12), share = place - floor(place);
     int k = (int)place % count, next = (k + 1) % count;
     if (patch < count) k = patch, next = (k + 1) % count, share = v;
-    double x = mixed(corners[k][0], corners[next][0], share),
-           z = mixed(corners[k][1], corners[next][1], share);
+    double x = place_mixed(corners[k][0], corners[next][0], share),
+           z = place_mixed(corners[k][1], corners[next][1], share);
     if (patch < count) return (Place){x, u - 0.5, z};
     return (Place){u * x, patch == count ? -0.5 : 0.5, u * z};
 }
@@ -161,8 +100,8 @@ PRISM(rhombus, 4)
 
 /* Cut off, with two radii: patches: the side and two ends. */
 static Place trunk_at(double r, double s, int patch, double u, double v) {
-    if (patch == 0) return spun(mixed(r, s, u), mixed(-0.6, 0.6, u), v);
-    return patch == 1 ? spun(r * u, -0.6, v) : spun(s * u, 0.6, v);
+    if (patch == 0) return place_spun(place_mixed(r, s, u), place_mixed(-0.6, 0.6, u), v);
+    return patch == 1 ? place_spun(r * u, -0.6, v) : place_spun(s * u, 0.6, v);
 }
 
 static Place capped_at(int patch, double u, double v) {
@@ -170,7 +109,7 @@ static Place capped_at(int patch, double u, double v) {
 }
 
 static bool capped_has(Place p) {
-    return fabs(p.y) < 0.6 && across(p) < mixed(0.7, 0.25, (p.y + 0.6) / 1.2);
+    return fabs(p.y) < 0.6 && place_across(p) < place_mixed(0.7, 0.25, (p.y + 0.6) / 1.2);
 }
 
 static Place flared_at(int patch, double u, double v) {
@@ -178,7 +117,7 @@ static Place flared_at(int patch, double u, double v) {
 }
 
 static bool flared_has(Place p) {
-    return fabs(p.y) < 0.6 && across(p) < mixed(0.0, 1.1, (p.y + 0.6) / 1.2);
+    return fabs(p.y) < 0.6 && place_across(p) < place_mixed(0.0, 1.1, (p.y + 0.6) / 1.2);
 }
 
 /* The slant touches balls of the radii 0.5 and 0.2, a metre apart, where their normals rise by the sine 0.3.
@@ -186,36 +125,37 @@ static bool flared_has(Place p) {
 static Place round_at(int patch, double u, double v) {
     double rise = asin(0.3);
     if (patch == 0)
-        return spun(mixed(0.5, 0.2, u) * cos(rise), mixed(-0.5, 0.5, u) + mixed(0.5, 0.2, u) * 0.3, v);
-    double angle = patch == 1 ? mixed(-PI2 / 4, rise, u) : mixed(rise, PI2 / 4, u);
-    return patch == 1 ? spun(0.5 * cos(angle), -0.5 + 0.5 * sin(angle), v)
-                      : spun(0.2 * cos(angle), 0.5 + 0.2 * sin(angle), v);
+        return place_spun(place_mixed(0.5, 0.2, u) * cos(rise),
+                          place_mixed(-0.5, 0.5, u) + place_mixed(0.5, 0.2, u) * 0.3, v);
+    double angle = patch == 1 ? place_mixed(-PI2 / 4, rise, u) : place_mixed(rise, PI2 / 4, u);
+    return patch == 1 ? place_spun(0.5 * cos(angle), -0.5 + 0.5 * sin(angle), v)
+                      : place_spun(0.2 * cos(angle), 0.5 + 0.2 * sin(angle), v);
 }
 
 static bool round_has(Place p) {
     for (int i = 0; i <= 2000; i++) {
-        double t = i / 2000.0, r = mixed(0.5, 0.2, t);
-        if (distance2(p, (Place){0, t - 0.5, 0}) < r * r) return true;
+        double t = i / 2000.0, r = place_mixed(0.5, 0.2, t);
+        if (place_distance2(p, (Place){0, t - 0.5, 0}) < r * r) return true;
     }
     return false;
 }
 
 static Place one_ball_at(int patch, double u, double v) {
     (void)patch;
-    return spun(0.6 * sin(PI2 / 2 * u), -0.2 - 0.6 * cos(PI2 / 2 * u), v);
+    return place_spun(0.6 * sin(PI2 / 2 * u), -0.2 - 0.6 * cos(PI2 / 2 * u), v);
 }
 
 static bool one_ball_has(Place p) {
-    return distance2(p, (Place){0, -0.2, 0}) < 0.36;
+    return place_distance2(p, (Place){0, -0.2, 0}) < 0.36;
 }
 
 static Place slice_at(double half_angle, int patch, double u, double v) {
     double angle = patch ? half_angle * u : half_angle, r = patch ? 1 : u;
-    return spun(r * sin(angle), r * cos(angle), v);
+    return place_spun(r * sin(angle), r * cos(angle), v);
 }
 
 static bool slice_has(double half_angle, double radius, Place p) {
-    return atan2(across(p), p.y) < half_angle && distance2(p, (Place){0, 0, 0}) < radius * radius;
+    return atan2(place_across(p), p.y) < half_angle && place_distance2(p, (Place){0, 0, 0}) < radius * radius;
 }
 
 static Place narrow_at(int patch, double u, double v) {
@@ -235,9 +175,9 @@ static bool wide_has(Place p) {
 }
 
 static Place cut_at(double height, int patch, double u, double v) {
-    double angle = mixed(acos(height / 0.8), PI2 / 2, u);
-    return patch ? spun(u * sqrt(0.64 - height * height), height, v)
-                 : spun(0.8 * sin(angle), 0.8 * cos(angle), v);
+    double angle = place_mixed(acos(height / 0.8), PI2 / 2, u);
+    return patch ? place_spun(u * sqrt(0.64 - height * height), height, v)
+                 : place_spun(0.8 * sin(angle), 0.8 * cos(angle), v);
 }
 
 static Place cut_high_at(int patch, double u, double v) {
@@ -249,34 +189,34 @@ static Place cut_low_at(int patch, double u, double v) {
 }
 
 static bool cut_high_has(Place p) {
-    return p.y < 0.3 && distance2(p, (Place){0, 0, 0}) < 0.64;
+    return p.y < 0.3 && place_distance2(p, (Place){0, 0, 0}) < 0.64;
 }
 
 static bool cut_low_has(Place p) {
-    return p.y < -0.5 && distance2(p, (Place){0, 0, 0}) < 0.64;
+    return p.y < -0.5 && place_distance2(p, (Place){0, 0, 0}) < 0.64;
 }
 
 static Place bowl_at(int patch, double u, double v) {
-    double rim = acos(0.3 / 0.8), angle = mixed(rim, PI2 / 2, u), r = patch == 1 ? 0.7 : 0.9;
-    if (patch < 2) return spun(r * sin(angle), r * cos(angle), v);
+    double rim = acos(0.3 / 0.8), angle = place_mixed(rim, PI2 / 2, u), r = patch == 1 ? 0.7 : 0.9;
+    if (patch < 2) return place_spun(r * sin(angle), r * cos(angle), v);
     double out = 0.1 * cos(PI2 / 2 * u), up = 0.1 * sin(PI2 / 2 * u);
-    return spun((0.8 + out) * sin(rim) - up * cos(rim), (0.8 + out) * cos(rim) + up * sin(rim), v);
+    return place_spun((0.8 + out) * sin(rim) - up * cos(rim), (0.8 + out) * cos(rim) + up * sin(rim), v);
 }
 
 static bool bowl_has(Place p) {
-    double angle = fmax(atan2(across(p), p.y), acos(0.3 / 0.8)), q = across(p) - 0.8 * sin(angle);
+    double angle = fmax(atan2(place_across(p), p.y), acos(0.3 / 0.8)), q = place_across(p) - 0.8 * sin(angle);
     return q * q + (p.y - 0.8 * cos(angle)) * (p.y - 0.8 * cos(angle)) < 0.01;
 }
 
 /* The arc's circle is 0.8125 past the axis, and its radius 1.2125. */
 static Place spindle_at(int patch, double u, double v) {
-    double angle = mixed(-1, 1, u) * atan2(0.9, 0.8125);
+    double angle = place_mixed(-1, 1, u) * atan2(0.9, 0.8125);
     (void)patch;
-    return spun(fmax(1.2125 * cos(angle) - 0.8125, 0), 1.2125 * sin(angle), v);
+    return place_spun(fmax(1.2125 * cos(angle) - 0.8125, 0), 1.2125 * sin(angle), v);
 }
 
 static bool spindle_has(Place p) {
-    return (across(p) + 0.8125) * (across(p) + 0.8125) + p.y * p.y < 1.2125 * 1.2125;
+    return (place_across(p) + 0.8125) * (place_across(p) + 0.8125) + p.y * p.y < 1.2125 * 1.2125;
 }
 
 static Place octahedron_at(int patch, double u, double v) {
@@ -289,8 +229,8 @@ static bool octahedron_has(Place p) {
 }
 
 static Place pyramid_at(int patch, double u, double v) {
-    double w = 0.6 * u, z = mixed(-w, w, v), y = 0.9 * (1 - u);
-    if (patch == 4) return (Place){mixed(-0.6, 0.6, u), 0, mixed(-0.6, 0.6, v)};
+    double w = 0.6 * u, z = place_mixed(-w, w, v), y = 0.9 * (1 - u);
+    if (patch == 4) return (Place){place_mixed(-0.6, 0.6, u), 0, place_mixed(-0.6, 0.6, v)};
     return patch < 2 ? (Place){patch ? -w : w, y, z} : (Place){z, y, patch == 2 ? -w : w};
 }
 
@@ -300,16 +240,16 @@ static bool pyramid_has(Place p) {
 
 static Place pillar_at(int patch, double u, double v) {
     (void)patch;
-    return spun(0.4, mixed(-8, 8, u), v);
+    return place_spun(0.4, place_mixed(-8, 8, u), v);
 }
 
 static bool pillar_has(Place p) {
-    return across(p) < 0.4;
+    return place_across(p) < 0.4;
 }
 
 static Place endless_at(int patch, double u, double v) {
     (void)patch;
-    return spun(12 * u * u * sin(0.5), 12 * u * u * cos(0.5), v);
+    return place_spun(12 * u * u * sin(0.5), 12 * u * u * cos(0.5), v);
 }
 
 static bool endless_has(Place p) {
@@ -318,7 +258,7 @@ static bool endless_has(Place p) {
 
 static Place endless_wide_at(int patch, double u, double v) {
     (void)patch;
-    return spun(12 * u * u * sin(2.0), 12 * u * u * cos(2.0), v);
+    return place_spun(12 * u * u * sin(2.0), 12 * u * u * cos(2.0), v);
 }
 
 static bool endless_wide_has(Place p) {
@@ -326,20 +266,20 @@ static bool endless_wide_has(Place p) {
 }
 
 static Place bezier_middle(const Place *c, double t) {
-    return moved((Place){0, 0, 0}, (1 - t) * (1 - t), c[0], 2 * t * (1 - t), c[1], t * t, c[2]);
+    return place_moved((Place){0, 0, 0}, (1 - t) * (1 - t), c[0], 2 * t * (1 - t), c[1], t * t, c[2]);
 }
 
 static Place bezier_at(const Place *c, int patch, double u, double v) {
     double t = patch == 0 ? u : patch == 1 ? 0 : 1, way = patch == 1 ? -1 : 1;
-    Place none = {0, 0, 0}, along = moved(none, t - 1, c[0], 1 - 2 * t, c[1], t, c[2]);
-    along = united(moved(none, way, along, 0, none, 0, none));
-    return patch ? tube_end(bezier_middle(c, t), along, 0.15, u, v)
-                 : tube(bezier_middle(c, t), along, 0.15, v);
+    Place none = {0, 0, 0}, along = place_moved(none, t - 1, c[0], 1 - 2 * t, c[1], t, c[2]);
+    along = place_united(place_moved(none, way, along, 0, none, 0, none));
+    return patch ? place_tube_end(bezier_middle(c, t), along, 0.15, u, v)
+                 : place_tube(bezier_middle(c, t), along, 0.15, v);
 }
 
 static bool bezier_has(const Place *c, Place p) {
     for (int i = 0; i <= 4000; i++) {
-        if (distance2(p, bezier_middle(c, i / 4000.0)) < 0.15 * 0.15) return true;
+        if (place_distance2(p, bezier_middle(c, i / 4000.0)) < 0.15 * 0.15) return true;
     }
     return false;
 }
@@ -364,163 +304,75 @@ static bool straight_has(Place p) {
 }
 
 #define ENDS(reach) "s * (C - " reach " * N), s * (C + " reach " * N), "
+#define FILE_OF(name) "#include \"distance/" name ".glsl\""
+#define CALL(name, words) "distance_" name "(p, " words ")"
 static const Solid solids[] = {
-    {"box_frame", "box_frame", "s * C, s * vec3(0.7, 0.4, 1.0), s * 0.2", frame_at, 72, frame_has, false,
-     true},
-    {"capped_torus", "capped_torus", "s * C, N, E, 2.2, s * 0.8, s * 0.2", ring_part_at, 3, ring_part_has,
+    {FILE_OF("box_frame"), "box_frame", CALL("box_frame", "s * C, s * vec3(0.7, 0.4, 1.0), s * 0.2"),
+     frame_at, 72, frame_has, false, true},
+    {FILE_OF("capped_torus"), "capped_torus", CALL("capped_torus", "s * C, N, E, 2.2, s * 0.8, s * 0.2"),
+     ring_part_at, 3, ring_part_has, true, false},
+    {FILE_OF("link"), "link", CALL("link", "s * C, N, E, s * 0.5, s * 0.4, s * 0.15"), link_at, 4, link_has,
      true, false},
-    {"link", "link", "s * C, N, E, s * 0.5, s * 0.4, s * 0.15", link_at, 4, link_has, true, false},
-    {"prism", "hexagonal_prism", "s * C, s * 0.7, s * 0.5", hexagon_at, 8, hexagon_has, false, false},
-    {"prism", "triangular_prism", "s * C, s * 0.8, s * 0.5", triangle_at, 5, triangle_has, false, false},
-    {"prism", "rhombus_prism", "s * C, s * vec2(0.9, 0.4), s * 0.5", rhombus_at, 6, rhombus_has, false,
+    {FILE_OF("prism"), "hexagonal_prism", CALL("hexagonal_prism", "s * C, s * 0.7, s * 0.5"), hexagon_at, 8,
+     hexagon_has, false, false},
+    {FILE_OF("prism"), "triangular_prism", CALL("triangular_prism", "s * C, s * 0.8, s * 0.5"), triangle_at,
+     5, triangle_has, false, false},
+    {FILE_OF("prism"), "rhombus_prism", CALL("rhombus_prism", "s * C, s * vec2(0.9, 0.4), s * 0.5"),
+     rhombus_at, 6, rhombus_has, false, false},
+    {FILE_OF("capped_cone"), "capped_cone", CALL("capped_cone", ENDS("0.6") "s * 0.7, s * 0.25"), capped_at,
+     3, capped_has, true, false},
+    {FILE_OF("capped_cone"), "capped_cone", CALL("capped_cone", ENDS("0.6") "0.0, s * 1.1"), flared_at, 3,
+     flared_has, true, false},
+    {FILE_OF("round_cone"), "round_cone", CALL("round_cone", ENDS("0.5") "s * 0.5, s * 0.2"), round_at, 3,
+     round_has, true, false},
+    {FILE_OF("round_cone"), "round_cone", CALL("round_cone", ENDS("0.2") "s * 0.6, s * 0.1"), one_ball_at, 1,
+     one_ball_has, true, false},
+    {FILE_OF("cut_sphere"), "solid_angle", CALL("solid_angle", "s * C, N, 0.6, s"), narrow_at, 2, narrow_has,
+     true, false},
+    {FILE_OF("cut_sphere"), "solid_angle", CALL("solid_angle", "s * C, N, 2.2, s"), wide_at, 2, wide_has,
+     true, false},
+    {FILE_OF("cut_sphere"), "cut_sphere", CALL("cut_sphere", "s * C, N, s * 0.8, s * 0.3"), cut_high_at, 2,
+     cut_high_has, true, false},
+    {FILE_OF("cut_sphere"), "cut_sphere", CALL("cut_sphere", "s * C, N, s * 0.8, s * -0.5"), cut_low_at, 2,
+     cut_low_has, true, false},
+    {FILE_OF("cut_sphere"), "cut_hollow_sphere",
+     CALL("cut_hollow_sphere", "s * C, N, s * 0.8, s * 0.3, s * 0.2"), bowl_at, 3, bowl_has, true, false},
+    {FILE_OF("vesica"), "vesica", CALL("vesica", ENDS("0.9") "s * 0.4"), spindle_at, 1, spindle_has, true,
      false},
-    {"capped_cone", "capped_cone", ENDS("0.6") "s * 0.7, s * 0.25", capped_at, 3, capped_has, true, false},
-    {"capped_cone", "capped_cone", ENDS("0.6") "0.0, s * 1.1", flared_at, 3, flared_has, true, false},
-    {"round_cone", "round_cone", ENDS("0.5") "s * 0.5, s * 0.2", round_at, 3, round_has, true, false},
-    {"round_cone", "round_cone", ENDS("0.2") "s * 0.6, s * 0.1", one_ball_at, 1, one_ball_has, true, false},
-    {"cut_sphere", "solid_angle", "s * C, N, 0.6, s", narrow_at, 2, narrow_has, true, false},
-    {"cut_sphere", "solid_angle", "s * C, N, 2.2, s", wide_at, 2, wide_has, true, false},
-    {"cut_sphere", "cut_sphere", "s * C, N, s * 0.8, s * 0.3", cut_high_at, 2, cut_high_has, true, false},
-    {"cut_sphere", "cut_sphere", "s * C, N, s * 0.8, s * -0.5", cut_low_at, 2, cut_low_has, true, false},
-    {"cut_sphere", "cut_hollow_sphere", "s * C, N, s * 0.8, s * 0.3, s * 0.2", bowl_at, 3, bowl_has, true,
-     false},
-    {"vesica", "vesica", ENDS("0.9") "s * 0.4", spindle_at, 1, spindle_has, true, false},
-    {"octahedron", "octahedron", "s * C, s * 0.9", octahedron_at, 8, octahedron_has, false, false},
-    {"pyramid", "pyramid", "s * C, s * 0.6, s * 0.9", pyramid_at, 5, pyramid_has, false, false},
-    {"infinite", "infinite_cylinder", "s * C, N, s * 0.4", pillar_at, 1, pillar_has, true, false},
-    {"infinite", "infinite_cone", "s * C, N, 0.5", endless_at, 1, endless_has, true, false},
-    {"infinite", "infinite_cone", "s * C, N, 2.0", endless_wide_at, 1, endless_wide_has, true, false},
-    {"bezier", "bezier_tube",
-     "s * (C + vec3(-0.8, -0.2, 0.1)), s * (C + vec3(0.0, 0.9, -0.3)), s * (C + vec3(0.8, -0.1, 0.4)), s * "
-     "0.15",
+    {FILE_OF("octahedron"), "octahedron", CALL("octahedron", "s * C, s * 0.9"), octahedron_at, 8,
+     octahedron_has, false, false},
+    {FILE_OF("pyramid"), "pyramid", CALL("pyramid", "s * C, s * 0.6, s * 0.9"), pyramid_at, 5, pyramid_has,
+     false, false},
+    {FILE_OF("infinite"), "infinite_cylinder", CALL("infinite_cylinder", "s * C, N, s * 0.4"), pillar_at, 1,
+     pillar_has, true, false},
+    {FILE_OF("infinite"), "infinite_cone", CALL("infinite_cone", "s * C, N, 0.5"), endless_at, 1, endless_has,
+     true, false},
+    {FILE_OF("infinite"), "infinite_cone", CALL("infinite_cone", "s * C, N, 2.0"), endless_wide_at, 1,
+     endless_wide_has, true, false},
+    {FILE_OF("bezier"), "bezier_tube",
+     CALL("bezier_tube", "s * (C + vec3(-0.8, -0.2, 0.1)), s * (C + vec3(0.0, 0.9, -0.3)), s * (C + "
+                         "vec3(0.8, -0.1, 0.4)), s * "
+                         "0.15"),
      bent_at, 3, bent_has, false, false},
-    {"bezier", "bezier_tube",
-     "s * (C + vec3(-0.8, -0.2, 0.1)), s * (C + vec3(0.0, -0.15, 0.25)), s * (C + vec3(0.8, -0.1, 0.4)), s * "
-     "0.15",
+    {FILE_OF("bezier"), "bezier_tube",
+     CALL("bezier_tube", "s * (C + vec3(-0.8, -0.2, 0.1)), s * (C + vec3(0.0, -0.15, 0.25)), s * (C + "
+                         "vec3(0.8, -0.1, 0.4)), s * "
+                         "0.15"),
      straight_at, 3, straight_has, false, false},
 };
 enum { SOLIDS = sizeof solids / sizeof *solids };
-
-/* Moves the place (u, v) of a patch by (du, dv) if that is nearer to p. */
-static bool step_nearer(const Solid *solid, Place p, int patch, double *u, double *v, double du, double dv,
-                        double *best) {
-    double s = fmin(fmax(*u + du, 0), 1), t = fmin(fmax(*v + dv, 0), 1);
-    double d = distance2(p, solid->surface(patch, s, t));
-    if (!(d < *best)) return false;
-    *best = d, *u = s, *v = t;
-    return true;
-}
-
-/* The least distance to a patch near the place (u, v), by ever smaller steps. At a tip, where all v are one
- * place, the way on may lie at any v. */
-static double refined(const Solid *solid, Place p, int patch, double u, double v) {
-    static const int way[8][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
-    double best = distance2(p, solid->surface(patch, u, v));
-    for (double step = 1.0 / GRID; step > 1e-8;) {
-        bool nearer = false;
-        for (int k = 0; k < 8 && !nearer; k++)
-            nearer = step_nearer(solid, p, patch, &u, &v, step * way[k][0], step * way[k][1], &best);
-        for (int k = 0; k <= 240 && !nearer && (u == 0 || u == 1); k++)
-            nearer = step_nearer(solid, p, patch, &u, &v, u == 0 ? step : -step, k / 240.0 - v, &best);
-        if (!nearer) step *= 0.5;
-    }
-    return sqrt(best);
-}
-
-/* The distance from p to the solid's surface, in its own frame. A search starts at the nearest node of each
- * quarter of each patch, if it may count. */
-static double searched(const Solid *solid, Place nodes[][NODES * NODES], Place p) {
-    double near[4 * MOST_PATCHES], least = 1e30, best = 1e30;
-    int at[4 * MOST_PATCHES] = {0};
-    for (int k = 0; k < 4 * solid->patches; k++) near[k] = 1e30;
-    for (int patch = 0; patch < solid->patches; patch++) {
-        for (int i = 0; i < NODES * NODES; i++) {
-            double d = distance2(p, nodes[patch][i]);
-            int k = 4 * patch + 2 * (i / NODES > GRID / 2) + (i % NODES > GRID / 2);
-            if (d < near[k]) near[k] = d, at[k] = i;
-        }
-    }
-    for (int k = 0; k < 4 * solid->patches; k++) near[k] = sqrt(near[k]), least = fmin(least, near[k]);
-    for (int k = 0; k < 4 * solid->patches; k++) {
-        double u = (double)(at[k] / NODES) / GRID, v = (double)(at[k] % NODES) / GRID;
-        if (near[k] < least + 0.3) best = fmin(best, refined(solid, p, k / 4, u, v));
-    }
-    return best;
-}
-
-static Place into_frame(const Solid *solid, const float *item) {
-    double s = (double)item[3];
-    Place p = {(double)item[0] / s - 0.125, (double)item[1] / s + 0.25, (double)item[2] / s - 0.5};
-    if (!solid->turned) return p;
-    return (Place){0.8 * p.x - 0.6 * p.z, 0.48 * p.x + 0.6 * p.y + 0.64 * p.z,
-                   -0.36 * p.x + 0.8 * p.y - 0.48 * p.z};
-}
-
-static void make_inputs(void) {
-    static const double scales[] = {1, 1e-3, 1e4};
-    random_state = 5;
-    for (int i = 0; i < ITEMS; i++) {
-        double scale = scales[i % 3], reach = i / 3 % 2 ? 0.9 : 3;
-        for (int c = 0; c < 3; c++) {
-            inputs[8 * i + c] = (float)(reach * scale * (2 * random_unit() - 1));
-            inputs[8 * i + 4 + c] = (float)(0.02 * scale * (2 * random_unit() - 1));
-        }
-        inputs[8 * i + 3] = (float)scale;
-    }
-}
-
-/* Sets c.x to the field in units of s, and c.y to how fast it changes. `size` multiplies all lengths of the
- * solid. */
-static void evaluate(const Solid *solid, double size) {
-    char glsl[4096];
-    snprintf(glsl, sizeof glsl,
-             "#include \"distance/%s.glsl\"\nuniform sampler2D inputs;\n"
-             "const vec3 C = vec3(0.125, -0.25, 0.5), N = vec3(0.48, 0.6, 0.64), E = vec3(0.8, 0.0, -0.6);\n"
-             "float field(vec3 p, float s) { return distance_%s(p, %s); }\n"
-             "vec4 evaluate(vec2 t) {\n    ivec2 at = ivec2(int(t.x) / 2 * 2, int(t.y));\n"
-             "    vec4 a = texelFetch(inputs, at, 0), b = texelFetch(inputs, at + ivec2(1, 0), 0);\n"
-             "    float s = a.w, d = field(a.xyz, s * float(%.9f));\n    vec3 q = a.xyz + b.xyz;\n"
-             "    return vec4(d / s, (field(q, s * float(%.9f)) - d) / length(q - a.xyz), 0.0, 0.0);\n}\n",
-             solid->file, solid->name, solid->words, size, size);
-    support_evaluate(&context, glsl, inputs, WIDTH, HEIGHT, results);
-}
-
-typedef struct Compared {
-    int inside, wrong_side;
-    double worst, steepest;
-} Compared;
-
-static Compared compare(const Solid *solid, int items) {
-    static Place nodes[MOST_PATCHES][NODES * NODES];
-    Compared found = {0};
-    for (int patch = 0; patch < solid->patches; patch++) {
-        for (int i = 0; i < NODES * NODES; i++)
-            nodes[patch][i] = solid->surface(patch, (double)(i / NODES) / GRID, (double)(i % NODES) / GRID);
-    }
-    for (int i = 0; i < items; i++) {
-        Place p = into_frame(solid, inputs + 8 * i);
-        double value = (double)results[8 * i];
-        bool inside = solid->inside(p);
-        found.inside += inside;
-        found.steepest = fmax(found.steepest, fabs((double)results[8 * i + 1]));
-        if (!isfinite(value)) found.worst = INFINITY;
-        if (fabs(value) > 1e-5 && (value < 0) != inside) found.wrong_side++;
-        if (inside && solid->outside_only) continue;
-        found.worst = fmax(found.worst, fabs(fabs(value) - searched(solid, nodes, p)));
-    }
-    return found;
-}
 
 /* As far as the search finds, on the right side, and never steeper than a metre a metre. */
 static void test_solids(void **state) {
     (void)state;
     support_open(&context);
-    make_inputs();
+    solid_make_inputs();
     for (int k = 0; k < SOLIDS; k++) {
-        evaluate(&solids[k], 1);
-        Compared found = compare(&solids[k], ITEMS);
+        solid_evaluate(&context, &solids[k], 1);
+        SolidCompared found = solid_compare(&solids[k], SOLID_ITEMS);
         print_message("%s: %d of %d inside, %d on the wrong side, largest error %.1e, steepness to %.5f\n",
-                      solids[k].name, found.inside, ITEMS, found.wrong_side, found.worst, found.steepest);
+                      solids[k].name, found.inside, SOLID_ITEMS, found.wrong_side, found.worst,
+                      found.steepest);
         if (0)
             assert_true(found.inside > 4 && found.wrong_side == 0 && found.worst < 3e-6 &&
                         found.steepest < 1.0005);
@@ -532,10 +384,10 @@ static void test_solids(void **state) {
 static void test_wrong_size(void **state) {
     (void)state;
     support_open(&context);
-    make_inputs();
+    solid_make_inputs();
     for (int k = 0; k < SOLIDS; k++) {
-        evaluate(&solids[k], 1.001);
-        assert_true(compare(&solids[k], 48).worst > 1e-4);
+        solid_evaluate(&context, &solids[k], 1.001);
+        assert_true(solid_compare(&solids[k], 48).worst > 1e-4);
     }
     context_close(&context);
 }
