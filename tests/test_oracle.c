@@ -14,6 +14,7 @@ ORACLE_CASE(crater_cosine);
 ORACLE_CASE(crater_paper);
 ORACLE_CASE(crater_uniform);
 ORACLE_CASE(distance);
+ORACLE_CASE(distance_more);
 ORACLE_CASE(emission);
 ORACLE_CASE(rectangle);
 ORACLE_CASE(gauss);
@@ -237,6 +238,21 @@ static void test_distance(void **state) {
         for (int c = 0; c < 3; c++) inputs[8 * i + c] = (float)((i % 2 ? 1.2 : 5) * (2 * random_unit() - 1));
     }
     oracle_compare(&context, ORACLE(distance), inputs, quantities, COUNT(quantities));
+    context_close(&context);
+}
+
+static void test_distance_more(void **state) {
+    static const OracleQuantity quantities[] = {
+        {"round cone", .result = 0, NEAR},       {"vesica", .result = 1, NEAR},
+        {"bowl and pyramid", .result = 2, NEAR}, {"tube", .result = 3, NEAR},
+        {"figures", .result = 4, NEAR},          {"edges", .result = 5, NEAR},
+        {"deformed", .result = 6, NEAR},         {"copies", .result = 7, NEAR},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        for (int c = 0; c < 3; c++) inputs[8 * i + c] = (float)((i % 2 ? 1.2 : 5) * (2 * random_unit() - 1));
+    }
+    oracle_compare(&context, ORACLE(distance_more), inputs, quantities, COUNT(quantities));
     context_close(&context);
 }
 
@@ -734,17 +750,18 @@ static void test_paths(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_phase),     cmocka_unit_test(test_atmosphere),
-        cmocka_unit_test(test_paper),     cmocka_unit_test(test_gauss),
-        cmocka_unit_test(test_shape),     cmocka_unit_test(test_solids),
-        cmocka_unit_test(test_march),     cmocka_unit_test(test_distance),
-        cmocka_unit_test(test_air),       cmocka_unit_test(test_air_depth),
-        cmocka_unit_test(test_mist),      cmocka_unit_test(test_mist_depth),
-        cmocka_unit_test(test_lobes),     cmocka_unit_test(test_mirror_sphere),
-        cmocka_unit_test(test_sequences), cmocka_unit_test(test_chain_step),
-        cmocka_unit_test(test_checker),   cmocka_unit_test(test_material),
-        cmocka_unit_test(test_spheres),   cmocka_unit_test(test_emission),
-        cmocka_unit_test(test_rectangle), cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_phase),         cmocka_unit_test(test_atmosphere),
+        cmocka_unit_test(test_paper),         cmocka_unit_test(test_gauss),
+        cmocka_unit_test(test_shape),         cmocka_unit_test(test_solids),
+        cmocka_unit_test(test_march),         cmocka_unit_test(test_distance),
+        cmocka_unit_test(test_distance_more), cmocka_unit_test(test_air),
+        cmocka_unit_test(test_air_depth),     cmocka_unit_test(test_mist),
+        cmocka_unit_test(test_mist_depth),    cmocka_unit_test(test_lobes),
+        cmocka_unit_test(test_mirror_sphere), cmocka_unit_test(test_sequences),
+        cmocka_unit_test(test_chain_step),    cmocka_unit_test(test_checker),
+        cmocka_unit_test(test_material),      cmocka_unit_test(test_spheres),
+        cmocka_unit_test(test_emission),      cmocka_unit_test(test_rectangle),
+        cmocka_unit_test(test_paths),
     };
     return cmocka_run_group_tests_name("oracle", tests, support_folder, support_clean);
 }
