@@ -373,9 +373,8 @@ static void test_solids(void **state) {
         print_message("%s: %d of %d inside, %d on the wrong side, largest error %.1e, steepness to %.5f\n",
                       solids[k].name, found.inside, SOLID_ITEMS, found.wrong_side, found.worst,
                       found.steepest);
-        if (0)
-            assert_true(found.inside > 4 && found.wrong_side == 0 && found.worst < 3e-6 &&
-                        found.steepest < 1.0005);
+        assert_true(found.inside > 4 && found.wrong_side == 0 && found.worst < 3e-6 &&
+                    found.steepest < 1.0005);
     }
     context_close(&context);
 }
