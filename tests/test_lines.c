@@ -63,10 +63,9 @@ static void test_json(void **state) {
     json_end(&json, file);
     rewind(file);
     assert_non_null(fgets(got, sizeof got, file));
-    assert_string_equal(got,
-                        "{\"at\": \"a \\\"path\\\" \\\\ of\\u0009tabs\\n\", \"x\": 0.1, \"no\": null, "
-                        "\"endless\": null, \"clock\": 1234567.000001, \"n\": 18446744073709551615, "
-                        "\"done\": false}\n");
+    assert_string_equal(got, "{\"at\": \"a \\\"path\\\" \\\\ of\\u0009tabs\\n\", \"x\": 0.1, \"no\": null, "
+                             "\"endless\": null, \"clock\": 1234567.000001, \"n\": 18446744073709551615, "
+                             "\"done\": false}\n");
     assert_null(fgets(got, sizeof got, file));
     fclose(file);
 }

@@ -124,8 +124,8 @@ static void test_camera(void **state) {
     desktop_expect_number(window, "eye_x", 0, 0);
     assert_true(desktop_number(window, "eye_y") == 2 && desktop_number(window, "eye_z") == -4);
     desktop_do(window, "key c");
-    desktop_expect(
-        window, "//@ camera  eye 0 2 -4  target 0 0 0  fov 90\\n//@ sun     elevation 30  azimuth 0", "");
+    desktop_expect(window,
+                   "//@ camera  eye 0 2 -4  target 0 0 0  fov 90\\n//@ sun     elevation 30  azimuth 0", "");
     desktop_quit(window);
 }
 
