@@ -9,7 +9,7 @@
 
 typedef struct Folder {
     const GlslSource *source;
-    const char *library;
+    const char *glsl_folder;
     GlslTokens tokens;
     TextEdits edits;
 } Folder;
@@ -25,7 +25,7 @@ static bool are(const Folder *folder, int i, const char *sign) {
 
 static bool is_open(const Folder *folder, int i) {
     const GlslToken *token = &folder->tokens.list[i];
-    return !token->directive && !export_is_users(folder->source, token->file, folder->library);
+    return !token->directive && !export_is_users(folder->source, token->file, folder->glsl_folder);
 }
 
 static bool is_value(const Folder *folder, int i) {
@@ -205,7 +205,7 @@ static bool step(Folder *folder) {
 void fold(GlslSource *source, const char *library) {
     for (bool more = true; more;) {
         Folder folder = {
-            .source = source, .library = library, .tokens = glsl_tokens(text_string(&source->text))};
+            .source = source, .glsl_folder = library, .tokens = glsl_tokens(text_string(&source->text))};
         more = step(&folder);
         Text text = text_edits_apply(&folder.edits, text_string(&source->text));
         glsl_tokens_free(&folder.tokens);

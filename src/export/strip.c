@@ -17,7 +17,7 @@ static const struct {
 
 typedef struct Stripper {
     const GlslSource *source;
-    const char *library;
+    const char *glsl_folder;
     Text out;
     /* The file of the line at hand, and of the last line that was written. */
     int file, written;
@@ -33,14 +33,14 @@ typedef struct Stripper {
 } Stripper;
 
 static bool is_own(const Stripper *stripper) {
-    return export_is_users(stripper->source, stripper->file, stripper->library);
+    return export_is_users(stripper->source, stripper->file, stripper->glsl_folder);
 }
 
 /* The name that a file is known by: in the library its path there, else its last part. */
 static const char *file_name(const Stripper *stripper) {
     const char *path = glsl_source_file(stripper->source, stripper->file), *slash = strrchr(path, '/');
-    size_t library = strlen(stripper->library);
-    if (strncmp(path, stripper->library, library) == 0 && path[library] == '/') return path + library + 1;
+    size_t library = strlen(stripper->glsl_folder);
+    if (strncmp(path, stripper->glsl_folder, library) == 0 && path[library] == '/') return path + library + 1;
     return slash ? slash + 1 : path;
 }
 
@@ -124,7 +124,7 @@ static void strip_library(Stripper *stripper, const char *line, size_t comment) 
 }
 
 Text strip(const GlslSource *source, const char *library, StripComments comments) {
-    Stripper stripper = {.source = source, .library = library, .comments = comments};
+    Stripper stripper = {.source = source, .glsl_folder = library, .comments = comments};
     Lines lines = lines_of(text_string(&source->text));
     for (const char *line; (line = lines_next(&lines));) {
         int number;

@@ -29,7 +29,7 @@ enum { MOST_COMMON = 39000 };
 typedef struct Maker {
     RenderParams params;
     Plan plan;
-    const char *command, *library;
+    const char *command, *glsl_folder;
     char sky[64];
     /* The parameters as the scene's text has them. */
     Names parameters;
@@ -100,7 +100,7 @@ static bool make_tab(const Maker *maker, const char *entry, const char *inputs, 
         text_edits_add(&edits, tokens.list[i + 3].at, 0, " = exp2(EXPOSURE_EV)");
     }
     apply(&source, &edits);
-    *text = strip(&source, maker->library, STRIP_FEW);
+    *text = strip(&source, maker->glsl_folder, STRIP_FEW);
     glsl_tokens_free(&tokens);
     glsl_source_destroy(&source);
     return true;
@@ -126,7 +126,7 @@ static bool rename_names(const Maker *maker, GlslSource *common, Error *error) {
                text_string(&maker->texts.image));
     const ToyNames names = {maker->params.scene->file, common, &tokens, text_string(&others)};
     bool ok = toy_names_put(&names, &edits, error);
-    whole_numbers_mend(common, maker->library, &tokens, &edits);
+    whole_numbers_mend(common, maker->glsl_folder, &tokens, &edits);
     apply(common, &edits);
     text_free(&others);
     glsl_tokens_free(&tokens);
@@ -174,7 +174,7 @@ static bool put_constants(Maker *maker, GlslSource *common, Error *error) {
 static void write_common(Maker *maker, const GlslSource *common) {
     Text *text = &maker->texts.common;
     for (StripComments comments = STRIP_FEW;; comments--) {
-        Text rest = strip(common, maker->library, comments);
+        Text rest = strip(common, maker->glsl_folder, comments);
         text_free(text);
         text_print(text, "%s\n%s", text_string(&maker->settings), text_string(&rest));
         text_free(&rest);
@@ -190,15 +190,15 @@ static bool make_common(Maker *maker, GlslSource *common, Error *error) {
         return false;
     toy_settings_parameters(maker->params.scene, &maker->parameters, &maker->settings);
     dialect_expand(common);
-    fold(common, maker->library);
-    prune(common, maker->library, text_string(&maker->texts.buffer));
+    fold(common, maker->glsl_folder);
+    prune(common, maker->glsl_folder, text_string(&maker->texts.buffer));
     write_common(maker, common);
     return true;
 }
 
 bool toy_export_write(const RenderParams *params, const char *command, const char *folder, Error *error) {
     const SceneFile *file = params->scene->file;
-    Maker maker = {.params = *params, .command = command, .library = file->sources->folder};
+    Maker maker = {.params = *params, .command = command, .glsl_folder = file->sources->folder};
     GlslSource common = {0};
     bool ok = choose(&maker, error) && pass_text(&common_pass, &maker.plan, &maker.params, &common, error) &&
               make_common(&maker, &common, error);
