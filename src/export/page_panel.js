@@ -2,7 +2,14 @@
 const by_id = (id) => document.getElementById(id);
 const size = [DATA.width, DATA.height];
 let state = state_of(""), version = 0, moved_ms = -Infinity, paused = false, limit = MOST_SAMPLES, previews = true;
-let picture = null, shown = 0, rate = 0, frames = 0, wake = () => {}, trouble = "";
+let picture = null, shown = 0, rate = 0, frames = 0, trouble = "";
+// A call of wake() during a draw is kept for the next wait, so that none is lost.
+let woken = false, stop_waiting = () => {};
+const wake = () => { woken = true; stop_waiting(); };
+async function to_be_woken() {
+    if (!woken) await new Promise((go) => { stop_waiting = go; });
+    woken = false;
+}
 
 function state_of(name) {
     const preset = DATA.states.find((other) => other.state === name);
@@ -274,7 +281,7 @@ async function draw_next() {
     }
     if (picture.film.samples >= (picture.coarse ? 1 : limit) || (paused && picture.film.samples)) {
         await show(picture, state.exposure);
-        if (!picture.coarse || paused) await new Promise((go) => { wake = go; });
+        if (!picture.coarse || paused) await to_be_woken();
         else await pause();
         return;
     }
@@ -303,7 +310,7 @@ async function run() {
             picture = null;
             const gone = gl && gl.isContextLost();
             if (!gone && !lost) say(error.message);
-            if (gone || !lost) await new Promise((go) => { wake = go; });
+            if (gone || !lost) await to_be_woken();
             if (gl && !gl.isContextLost() && trouble === error.message) say("");
         }
     }
