@@ -11,7 +11,9 @@ set -u
 # Statistics of pictures, and what opens many windows: together more than the fast suite may take.
 slow="test_bias test_chart test_checkpoint test_cluster test_drivers test_merge test_estimators test_further test_metropolis test_mist_pictures test_noise test_orders_rows test_picture test_portal test_progress test_scenes test_torture test_traced test_web test_web_hands test_window test_window_exposure test_window_load test_window_open test_window_panel test_window_save"
 # These wait for events in real time, so they have the processors to themselves.
-alone="test_chart test_web test_web_hands test_window test_window_exposure test_window_load test_window_open test_window_panel test_window_save"
+alone="test_browser test_chart test_web test_web_hands test_window test_window_exposure test_window_load test_window_open test_window_panel test_window_save test_window_toy"
+# These see no more under the sanitizers: the pages run in a browser, and test_export writes them.
+plain="test_web test_web_hands"
 # Seconds that one program may take: at least three times what the slowest of its suite took on two processors.
 fast_limit=240 slow_limit=1200 sanitizer_factor=4
 
@@ -78,6 +80,7 @@ for program in "$build"/tests/test_*; do
     case $name in *.o | *.d) continue ;; esac
     if among "$name" "$slow"; then of=slow; fi
     [ "$suite" = all ] || [ "$suite" = "$of" ] || continue
+    case $build in *asan) if among "$name" "$plain"; then continue; fi ;; esac
     if among "$name" "$alone"; then
         after="$after $program"
     elif [ $of = slow ]; then
