@@ -172,8 +172,8 @@ void desktop_print_last(Desktop *desktop) {
 void desktop_quit(Desktop *desktop) {
     desktop_do(desktop, "key Escape");
     int status = desktop_end(desktop);
-    /* The leak sanitizer now and then fails to stop the threads of a process that ends, and says so. That is no
-     * finding, and all else has been seen by then. */
+    /* The leak sanitizer now and then fails to stop the threads of a process that ends, and says so. That is
+     * no finding, and all else has been seen by then. */
     if (strstr(desktop_log(desktop), "LeakSanitizer has encountered a fatal error")) status = 0;
     if (status) desktop_print_last(desktop);
     assert_int_equal(status, 0);
