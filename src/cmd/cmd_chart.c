@@ -100,15 +100,12 @@ static bool make_charts(Job *job, Error *error) {
     double seconds = options->seconds > 0 ? options->seconds : default_seconds, whole = 0, done = 0;
     ErrorTarget usual = {.amount = AUTO_ERROR_PERCENT};
     ErrorTarget target = options->error.amount > 0 ? options->error : usual;
+    RenderParams picture = setup_params(options, &job->scene);
+    if (!options->width) picture.width = picture.height = DEFAULT_SIDE;
+    picture.error_percent = target_percent(target, TONE_AUTHOR);
+    picture.watch = &job->watch;
     ChartParams params = {.context = &job->context,
-                          .picture = {.scene = &job->scene,
-                                      .further = options->further,
-                                      .sun_disk = options->sun_disk,
-                                      .width = options->width ? options->width : DEFAULT_SIDE,
-                                      .height = options->height ? options->height : DEFAULT_SIDE,
-                                      .max_hits = options->depth,
-                                      .error_percent = target_percent(target, TONE_AUTHOR),
-                                      .watch = &job->watch},
+                          .picture = picture,
                           .folder = options->outputs[0],
                           .identity = text_string(&job->identity),
                           .target = target,

@@ -40,14 +40,10 @@ static bool prepare(Job *job, Error *error) {
         return false;
     if (options->width && !scene_check_size(options->width, options->height, error)) return false;
     job->percent = options->error.amount > 0 ? options->error.amount : AUTO_ERROR_PERCENT;
-    job->params = (RenderParams){.scene = &job->scene,
-                                 .further = options->further,
-                                 .sun_disk = options->sun_disk,
-                                 .width = options->width ? options->width : DEFAULT_SIDE,
-                                 .height = options->height ? options->height : DEFAULT_SIDE,
-                                 .max_hits = options->depth,
-                                 .error_percent = job->percent,
-                                 .watch = &job->watch};
+    job->params = setup_params(options, &job->scene);
+    if (!options->width) job->params.width = job->params.height = DEFAULT_SIDE;
+    job->params.error_percent = job->percent;
+    job->params.watch = &job->watch;
     gauge_report(&job->gauge, 0, "the picture itself");
     return context_open(&job->context, options->backend, error) &&
            worth_begin(&job->base, &job->context, &job->params, SAMPLES, interrupt_requested, error);

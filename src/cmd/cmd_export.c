@@ -51,16 +51,7 @@ static bool write_page(const Options *options, const PageState *states, int coun
     write_command(options, &command);
     const PageParams params = {.states = states,
                                .count = count,
-                               .render = {.scene = &states[0].scene,
-                                          .sky = options->sky,
-                                          .light = options->light,
-                                          .sequence = options->sequence,
-                                          .further = options->further,
-                                          .sun_disk = options->sun_disk,
-                                          .width = options->width,
-                                          .height = options->height,
-                                          .seed = options->seed,
-                                          .max_hits = options->depth},
+                               .render = setup_params(options, &states[0].scene),
                                .command = text_string(&command)};
     bool ok = page_write(&params, &html, error);
     if (ok && strcmp(options->outputs[0], "-") == 0)
@@ -88,14 +79,9 @@ static bool export_toy(const Options *options, const char *library, int argc, ch
     Scene scene;
     Text command = {0};
     if (!setup_scene(options, library, &scene, error)) return false;
-    const RenderParams params = {.scene = &scene,
-                                 .sky = options->sky,
-                                 .light = options->light,
-                                 .sequence = options->sequence,
-                                 .further = options->further,
-                                 .sun_disk = options->sun_disk,
-                                 .seed = options->seed,
-                                 .max_hits = options->depth};
+    RenderParams params = setup_params(options, &scene);
+    /* Whoever runs the texts chooses the size. */
+    params.width = params.height = 0;
     text_print(&command, "magichour ");
     text_print_command(&command, argc - 1, argv + 1);
     bool ok = toy_export_write(&params, text_string(&command), options->outputs[0], error);

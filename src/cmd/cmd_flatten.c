@@ -55,12 +55,7 @@ Status cmd_flatten(const Options *options, Error *error) {
     Scene scene = {0};
     bool ok = setup_library(options, &library, error) && setup_scene(options, library, &scene, error);
     if (ok) {
-        RenderParams params = {.scene = &scene,
-                               .sky = options->sky,
-                               .light = options->light,
-                               .sequence = options->sequence,
-                               .further = options->further,
-                               .sun_disk = options->sun_disk};
+        const RenderParams params = setup_params(options, &scene);
         ok = scene.file->facts.is_toy
                  ? toy_options_check(options, scene.file, error) && print_toy(&scene, error)
                  : print_scene(options, &params, error);

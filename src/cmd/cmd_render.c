@@ -100,25 +100,16 @@ static bool prepare(RenderJob *job, Error *error) {
     if (!check_aov(options, &job->aov_kinds, error) || !check_sequence(options, job->aov_kinds, error) ||
         !nan_map_check(options, error))
         return false;
-    job->params = (RenderParams){.scene = &job->scene,
-                                 .sky = options->sky,
-                                 .light = options->light,
-                                 .sequence = options->sequence,
-                                 .further = options->further,
-                                 .sun_disk = options->sun_disk,
-                                 .width = options->width,
-                                 .height = options->height,
-                                 .seed = options->seed,
-                                 .max_hits = options->depth,
-                                 .first_sample = options->first_sample,
-                                 .crop = options->crop,
-                                 .samples = options->of        ? options->of
-                                            : options->samples ? options->first_sample + options->samples
-                                                               : 0,
-                                 .error_percent = target_percent(options->error, render_tone(options)),
-                                 .variance = job->aov_kinds & AOV_VARIANCE,
-                                 .rejects = options->nan_map != NULL,
-                                 .in_steps = true};
+    job->params = setup_params(options, &job->scene);
+    job->params.first_sample = options->first_sample;
+    job->params.crop = options->crop;
+    job->params.samples = options->of        ? options->of
+                          : options->samples ? options->first_sample + options->samples
+                                             : 0;
+    job->params.error_percent = target_percent(options->error, render_tone(options));
+    job->params.variance = job->aov_kinds & AOV_VARIANCE;
+    job->params.rejects = options->nan_map != NULL;
+    job->params.in_steps = true;
     saver_recall(job);
     progress_begin(&job->progress, "compiling");
     return context_open(&job->context, options->backend, error) &&

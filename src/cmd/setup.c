@@ -100,3 +100,16 @@ fail:
     scene_destroy(scene);
     return false;
 }
+
+RenderParams setup_params(const Options *options, const Scene *scene) {
+    return (RenderParams){.scene = scene,
+                          .sky = options->sky,
+                          .light = options->light,
+                          .sequence = options->sequence,
+                          .further = options->further,
+                          .sun_disk = options->sun_disk,
+                          .width = options->width,
+                          .height = options->height,
+                          .seed = options->seed,
+                          .max_hits = options->depth};
+}

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cmd/options.h"
-#include "scene/scene.h"
+#include "render/plan.h"
 
 /* Finds the GLSL library's folder: --glsl-dir, else the first glsl/ (or share/magichour/glsl/) on the way up
  * from the program's own folder. The caller frees it. */
@@ -13,3 +13,7 @@ MUST_CHECK bool setup_library(const Options *options, char **library, Error *err
  * empty one for the sky if there is no file; then `library` may be NULL. Then it applies --preset,
  * --atmosphere, --sun and --set, in this order. */
 MUST_CHECK bool setup_scene(const Options *options, const char *library, Scene *scene, Error *error);
+
+/* What the options say of a render of the scene: its methods, size, seed and depth. What was not given has
+ * the value that stands for the default. */
+RenderParams setup_params(const Options *options, const Scene *scene);
