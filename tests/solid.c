@@ -160,3 +160,23 @@ SolidCompared solid_compare(const Solid *solid, int items) {
     }
     return found;
 }
+
+void solid_test_exact(const Context *context, const Solid *solids, int count, int items) {
+    solid_make_inputs();
+    for (int k = 0; k < count; k++) {
+        solid_evaluate(context, &solids[k], 1);
+        SolidCompared found = solid_compare(&solids[k], items);
+        print_message("%s: %d of %d inside, %d on the wrong side, largest error %.1e, steepness to %.5f\n",
+                      solids[k].name, found.inside, items, found.wrong_side, found.worst, found.steepest);
+        assert_true(found.inside > 4 && found.wrong_side == 0 && found.worst < 3e-6 &&
+                    found.steepest < 1.0005);
+    }
+}
+
+void solid_test_wrong_size(const Context *context, const Solid *solids, int count) {
+    solid_make_inputs();
+    for (int k = 0; k < count; k++) {
+        solid_evaluate(context, &solids[k], 1.001);
+        assert_true(solid_compare(&solids[k], 48).worst > 1e-4);
+    }
+}

@@ -42,6 +42,13 @@ void solid_evaluate(const Context *context, const Solid *solid, double size);
 /* What was evaluated, beside the search, for the first `items` points. */
 SolidCompared solid_compare(const Solid *solid, int items);
 
+/* Asserts that the fields of `count` solids are as far as the search finds at the first `items` points, on
+ * the right side, and never steeper than a metre a metre. */
+void solid_test_exact(const Context *context, const Solid *solids, int count, int items);
+
+/* Asserts that the comparison sees each solid whose lengths are a thousandth too large. */
+void solid_test_wrong_size(const Context *context, const Solid *solids, int count);
+
 double place_distance2(Place a, Place b);
 double place_across(Place p);
 double place_mixed(double a, double b, double t);

@@ -5,7 +5,6 @@
 #include "support.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 static Context context;
@@ -362,32 +361,17 @@ static const Solid solids[] = {
 };
 enum { SOLIDS = sizeof solids / sizeof *solids };
 
-/* As far as the search finds, on the right side, and never steeper than a metre a metre. */
 static void test_solids(void **state) {
     (void)state;
     support_open(&context);
-    solid_make_inputs();
-    for (int k = 0; k < SOLIDS; k++) {
-        solid_evaluate(&context, &solids[k], 1);
-        SolidCompared found = solid_compare(&solids[k], SOLID_ITEMS);
-        print_message("%s: %d of %d inside, %d on the wrong side, largest error %.1e, steepness to %.5f\n",
-                      solids[k].name, found.inside, SOLID_ITEMS, found.wrong_side, found.worst,
-                      found.steepest);
-        assert_true(found.inside > 4 && found.wrong_side == 0 && found.worst < 3e-6 &&
-                    found.steepest < 1.0005);
-    }
+    solid_test_exact(&context, solids, SOLIDS, SOLID_ITEMS);
     context_close(&context);
 }
 
-/* The comparison sees a solid whose lengths are a thousandth too large. */
 static void test_wrong_size(void **state) {
     (void)state;
     support_open(&context);
-    solid_make_inputs();
-    for (int k = 0; k < SOLIDS; k++) {
-        solid_evaluate(&context, &solids[k], 1.001);
-        assert_true(solid_compare(&solids[k], 48).worst > 1e-4);
-    }
+    solid_test_wrong_size(&context, solids, SOLIDS);
     context_close(&context);
 }
 

@@ -19,3 +19,8 @@ float op_subtraction(float a, float b) {
 float op_inverse(float a) {
     return -a;
 }
+
+// What is in one of the two solids, but not in both. It is exact where both distances are.
+float op_xor(float a, float b) {
+    return max(min(a, b), -max(a, b));
+}

@@ -43,3 +43,12 @@ float distance_heart(vec2 p, vec2 tip, float size) {
     float to_corner = (q.x < q.y ? -1.0 : 1.0) * min(to_notch, to_side);
     return q.x + q.y > size ? to_circle : to_corner;
 }
+
+// The part of a circle within half_angle radians, less than PI, of the y axis, with its tip at the circle's centre.
+float distance_pie(vec2 p, vec2 centre, float radius, float half_angle) {
+    vec2 q = vec2(abs(p.x - centre.x), p.y - centre.y);
+    vec2 edge = vec2(sin(half_angle), cos(half_angle));
+    float to_edge = length(q - clamp(dot(q, edge), 0.0, radius) * edge);
+    float side = edge.y * q.x < edge.x * q.y ? -1.0 : 1.0;
+    return max(length(q) - radius, side * to_edge);
+}
