@@ -1,6 +1,7 @@
 // a: a point. c: distances to a round cone, a spindle, a pyramid with a bowl, a tube; d: to flat figures, a prism and a frame, joined; to an
 // octahedron and an engraved cone; to a twisted link; to copies that differ, and copies around an axis.
 #include "distance/bezier.glsl"
+#include "distance/boolean.glsl"
 #include "distance/box_frame.glsl"
 #include "distance/capped_cone.glsl"
 #include "distance/capped_torus.glsl"
@@ -14,6 +15,7 @@
 #include "distance/octahedron.glsl"
 #include "distance/prism.glsl"
 #include "distance/pyramid.glsl"
+#include "distance/quadrilateral.glsl"
 #include "distance/rectangle.glsl"
 #include "distance/repeat_polar.glsl"
 #include "distance/repeat_random.glsl"
@@ -42,6 +44,12 @@ float around(vec3 p) {
                distance_cross(vec2(beside.x, beside.y), vec2(0.6, 0.0), size.y, size.x));
 }
 
+float four_sides(vec2 p) {
+    float bent = distance_quadrilateral(p, vec2(-0.7, -0.3), vec2(0.1, -0.1), vec2(0.6, -0.6), vec2(0.2, 0.7));
+    float even = min(distance_trapezoid(p, vec2(0.2, 0.4), 0.5, 0.3, 0.2), distance_parallelogram(p, vec2(-0.2, 0.3), vec2(0.3, 0.2), 0.25));
+    return op_xor(distance_pie(p, vec2(0.1, -0.4), 0.7, 0.6), op_xor(bent, even));
+}
+
 void item(vec4 a, vec4 b, OUT(vec4) c, OUT(vec4) d) {
     vec3 p = vec3(a);
     vec3 centre = vec3(0.125, -0.25, 0.5);
@@ -59,7 +67,7 @@ void item(vec4 a, vec4 b, OUT(vec4) c, OUT(vec4) d) {
              distance_vesica(p, centre - 0.9 * axis, centre + 0.9 * axis, 0.4),
              op_smooth_union_circular(distance_pyramid(p, centre, 0.6, 0.9), bowl, 0.2),
              distance_bezier_tube(p, centre - across, centre + axis, centre + across, 0.2));
-    d = vec4(op_chamfer_union(min(star, figures), min(frame, prism), 0.1),
+    d = vec4(op_chamfer_union(min(min(star, four_sides(flat_p)), figures), min(frame, prism), 0.1),
              op_smooth_union_root(distance_octahedron(p, centre, 0.8), op_engrave(cone, distance_infinite_cylinder(p, centre, across, 0.3), 0.1), 0.2),
              op_displace(distance_link(op_twist(op_mirror(p, axis, 0.0), 0.7), centre, axis, across, 0.4, 0.4, 0.1), 0.1, 0.5),
              min(scattered(p), around(p)));
