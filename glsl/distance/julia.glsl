@@ -8,6 +8,9 @@
 //
 // `trap` gets the least |x|, |y|, |z| and squared radius of the turns: for colours.
 const float JULIA_BOUND = 2.0;
+// Turns of one iteration, which compilers write out: a driver that limits the iterations of a draw (llvmpipe) would otherwise end the marches of
+// some pixels.
+const int JULIA_AT_ONCE = 4;
 
 float distance_julia(vec3 p, vec4 c, int iterations, OUT(vec4) trap) {
     // Beyond this radius c is lost beside z^2, so that one more turn makes no difference.
@@ -18,13 +21,15 @@ float distance_julia(vec3 p, vec4 c, int iterations, OUT(vec4) trap) {
     // The power of the turns that are left out.
     float left = exp2(float(iterations));
     trap = vec4(abs(p), r * r);
-    for (int i = 0; i < iterations; i++) {
-        if (r < escape) {
-            stretch = max(2.0 * r * stretch, 1.0e-12);
-            z = vec4(z.x * z.x - z.y * z.y - z.z * z.z - z.w * z.w, 2.0 * z.x * z.y, 2.0 * z.x * z.z, 2.0 * z.x * z.w) + c;
-            r = max(length(z), 1.0e-12);
-            trap = min(trap, vec4(abs(z.x), abs(z.y), abs(z.z), r * r));
-            left *= 0.5;
+    for (int i = 0; i < iterations && r < escape; i += JULIA_AT_ONCE) {
+        for (int k = 0; k < JULIA_AT_ONCE; k++) {
+            if (i + k < iterations && r < escape) {
+                stretch = max(2.0 * r * stretch, 1.0e-12);
+                z = vec4(z.x * z.x - z.y * z.y - z.z * z.z - z.w * z.w, 2.0 * z.x * z.y, 2.0 * z.x * z.z, 2.0 * z.x * z.w) + c;
+                r = max(length(z), 1.0e-12);
+                trap = min(trap, vec4(abs(z.x), abs(z.y), abs(z.z), r * r));
+                left *= 0.5;
+            }
         }
     }
     float d = 0.5 * (log(r) - log(JULIA_BOUND) / left) * r / stretch;

@@ -24,7 +24,7 @@ float distance_mandelbulb(vec3 p, float power, int iterations, OUT(vec4) trap) {
     // The power of the turns that are left out.
     float left = exp2(log2(power) * float(iterations));
     trap = vec4(abs(z), r * r);
-    for (int i = 0; i < iterations; i++) {
+    for (int i = 0; i < iterations && r < escape; i++) {
         if (r < escape) {
             // The angles are multiplied as powers of complex numbers, y + i across and z + i x.
             float across = max(sqrt(z.x * z.x + z.z * z.z), 1.0e-12 * r);
