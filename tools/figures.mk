@@ -1,5 +1,5 @@
 # What the READMEs show and claim, made anew: pictures, charts and measurements. Included by the Makefile.
-.PHONY: gallery atlas atlas-light references honesty bias-scan sheets skies charts points site view check-view measure-view
+.PHONY: gallery atlas atlas-light references honesty bias-scan sheets shapes skies charts points site view check-view measure-view
 
 # The README's pictures.
 gallery: all
@@ -32,6 +32,11 @@ bias-scan: all $(BUILD)/tools/bias_claim
 sheets: all
 	@tools/deps.sh --missing figures
 	tools/sheets.sh $(BUILD)/magichour out/sheets scenes/gallery
+
+# Contact sheets of the distances and their operators: ten minutes.
+shapes: all
+	@tools/deps.sh --missing figures
+	tools/shapes_sheet.sh $(BUILD)/magichour out/shapes scenes/gallery
 
 # The README's skies from noon to night under two atmospheres, and scenes under one of them: a few minutes.
 skies: all

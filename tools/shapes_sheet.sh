@@ -27,6 +27,12 @@ begin() {
     count=0
 }
 
+# finish: puts the pictures on the sheet.
+finish() {
+    gnuplot -c "$tools/sheet.gp" "$folder/$sheet.list" "$gallery/$sheet.png" $width $height 5
+    echo "sheets: $gallery/$sheet.png"
+}
+
 # draw NAME RADIUS BODY: the function scene_distance(p), marched within this radius of the middle, or everywhere if it is 0.
 draw() {
     scene=$folder/$sheet-$1.glsl
@@ -34,7 +40,7 @@ draw() {
     [ "$2" != 0 ] || within=
     {
         echo "//@ camera eye -1.2 1.7 3.4  target 0 0.52 0  fov 26"
-        echo "//@ sun elevation 35 azimuth 265"
+        echo "//@ sun elevation 35 azimuth 285"
         echo "//@ sun-disk on"
         echo "//@ atmosphere earth"
         for file in material/matte shape/march shape/plane; do echo "#include \"$file.glsl\""; done
@@ -51,7 +57,7 @@ draw() {
         echo "    return matte(hit.object == 1 ? vec3(0.75, 0.45, 0.25) : vec3(0.35));"
         echo "}"
     } >"$scene"
-    "$magichour" render "$scene" --size "${width}x$height" --spp "${SPP:-1024}" --exposure 0.6 -o "$folder/$sheet-$1.png" 2>"$folder/$sheet-$1.log" >&2 ||
+    "$magichour" render "$scene" --size "${width}x$height" --spp 256 --exposure -1.5 -o "$folder/$sheet-$1.png" 2>"$folder/$sheet-$1.log" >&2 ||
         { cat "$folder/$sheet-$1.log" >&2 && exit 1; }
     ! grep -i warning "$folder/$sheet-$1.log" || echo "sheets: $1 has warnings"
     echo "$((count % per_row)) $((count / per_row)) $folder/$sheet-$1.png $1" >>"$folder/$sheet.list"
@@ -83,15 +89,19 @@ two() {
     return op_$1(a, b$2);"
 }
 
-# post NAME ARGUMENTS: of a box and a cylinder that is wide in intersections. Their surfaces meet at right angles.
+# post NAME ARGUMENTS: of a box and a cylinder whose surfaces meet at right angles. In intersections both are so wide that the post alone is left.
 post() {
     radius=0.28
-    [ "${1%_intersection}" = "$1" ] || radius=0.5
-    draw "$1" 0.95 "float a = distance_box(p, vec3(0.0, 0.35, 0.0), vec3(0.55, 0.35, 0.55)); float b = distance_cylinder(p, vec3(0.0, -0.5, 0.0), vec3(0.0, 1.1, 0.0), $radius);
+    half_width=0.55
+    if [ "${1%_intersection}" != "$1" ]; then
+        radius=0.45
+        half_width=0.75
+    fi
+    draw "$1" 0.95 "float a = distance_box(p, vec3(0.0, 0.35, 0.0), vec3($half_width, 0.35, $half_width)); float b = distance_cylinder(p, vec3(0.0, -0.5, 0.0), vec3(0.0, 1.1, 0.0), $radius);
     return op_$1(a, b, $2) / JOIN_STEEPNESS;"
 }
 
-begin distance-solids boolean sphere move offset box_frame capped_torus link prism capped_cone round_cone cut_sphere vesica octahedron pyramid infinite bezier menger mandelbulb julia apollonian hills
+begin distance-solids boolean box move offset box_frame capped_torus link prism capped_cone round_cone cut_sphere vesica octahedron pyramid infinite bezier menger mandelbulb julia apollonian hills
 solid box_frame "vec3(0.0, 0.5, 0.0), vec3(0.5), 0.08"
 solid capped_torus "vec3(0.0, 0.55, 0.0), vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0), 2.2, 0.42, 0.12"
 solid link "vec3(0.0, 0.6, 0.0), vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0), 0.22, 0.28, 0.1"
@@ -111,10 +121,11 @@ draw infinite_cone 0 "return distance_infinite_cone(p, vec3(0.0, 0.9, 0.0), vec3
 solid bezier_tube "vec3(-0.55, 0.15, 0.0), vec3(0.0, 1.7, 0.0), vec3(0.55, 0.15, 0.2), 0.12"
 solid menger "vec3(0.0, 0.5, 0.0), 0.5, 3"
 operator mandelbulb "return 0.52 * distance_mandelbulb(op_scale(op_translate(p, vec3(0.0, 0.58, 0.0)), 0.52), 8.0, 4);"
-operator julia "return 0.5 * distance_julia(op_scale(op_translate(p, vec3(0.0, 0.5, 0.0)), 0.5), vec4(-0.2, 0.6, 0.2, 0.2), 9);"
+operator julia "return 0.5 * distance_julia(op_scale(op_translate(p, vec3(0.0, 0.5, 0.0)), 0.5), vec4(-1.0, 0.2, 0.0, 0.0), 9);"
 operator apollonian "vec3 q = op_translate(p, vec3(0.0, 0.55, 0.0));
-    return op_intersection(op_round(0.5 * distance_apollonian(op_scale(q, 0.5), 1.1, 6), 0.006), distance_sphere(q, vec3(0.0), 0.55));"
+    return op_intersection(op_round(0.25 * distance_apollonian(op_scale(q, 0.25), 1.1, 6), 0.006), distance_box(q, vec3(0.0), vec3(0.5)));"
 draw hills 0 "return (p.y - 0.5 * hills(2.0 * vec2(p.x, p.z))) / length(vec2(1.0, HILLS_SLOPE));"
+finish
 
 begin distance-figures section offset round ellipse rectangle polygon quadrilateral segment bezier
 figure circle "vec2(0.0), 0.55"
@@ -136,7 +147,9 @@ figure trapezoid "vec2(0.0), 0.6, 0.3, 0.4"
 figure parallelogram "vec2(0.0), vec2(0.45, 0.4), 0.2"
 line segment "vec2(-0.5, -0.4), vec2(0.5, 0.4)"
 line quadratic_bezier "vec2(-0.5, -0.4), vec2(0.1, 1.2), vec2(0.5, -0.3)"
+finish
 
+# Operators have longer names.
 width=112
 per_row=7
 begin distance-operators boolean smooth offset move elongate repeat repeat_polar repeat_random mirror smooth_kinds join deform section \
@@ -189,10 +202,4 @@ operator taper "return distance_box(op_taper(p, 0.0, 1.0, 0.4), vec3(0.0, 0.5, 0
 operator displace "return op_displace(distance_sphere(p, vec3(0.0, 0.55, 0.0), 0.5), 0.05 * sin(12.0 * p.x) * sin(12.0 * p.y) * sin(12.0 * p.z), 0.6);"
 operator extrude "return op_extrude(distance_star(flat_p, vec2(0.0), 0.6, 0.27, 5.0), p.z, 0.3);"
 operator revolve "return distance_star(op_revolve(p, vec3(0.0, 0.3, 0.0), vec3(0.0, 1.0, 0.0)), vec2(0.42, 0.0), 0.28, 0.12, 5.0);"
-
-for name in solids figures operators; do
-    w=96
-    [ $name != operators ] || w=$width
-    gnuplot -c "$tools/sheet.gp" "$folder/distance-$name.list" "$gallery/distance-$name.png" $w $height
-    echo "sheets: $gallery/distance-$name.png"
-done
+finish

