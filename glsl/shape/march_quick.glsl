@@ -1,0 +1,63 @@
+#include "shape/march_field.glsl"
+
+// The first steps of a march, which are all that most rays need.
+const int MARCH_QUICK = 64;
+// How wide a gap between two empty balls may be, as a share of the coordinates and the distance. Near a surface, a gap lets the ray reach it in one
+// step. What is thinner may be missed where a ray only grazes it.
+const float MARCH_SLACK = 3.0e-5;
+
+// Marches by a loop without branches, because graphics hardware and llvmpipe execute both sides of a branch. The steps are those of
+// march_careful(), and two more: a step to where the field would be 0 if it went on falling as it did, and a step back to that place from beyond a surface.
+// What is left when the steps are used up, or when the field changes faster than a distance, is for march_careful().
+March march_quick(Ray ray, float start, float end, float size) {
+    float t = start;
+    float value = 0.0;
+    float side = 0.0;
+    float step = 0.0;
+    float field = 0.0;
+    float found = INFINITY;
+    bool more = start < end;
+    bool quick = more;
+    int steps = 0;
+    while (steps < MARCH_QUICK && quick) {
+        steps += 1;
+        float next = min(t + step, end);
+        float moved = next - t;
+        vec3 p = ray.origin + next * ray.direction;
+        float scale = max(march_size(p), size) + next;
+        float tolerance = MARCH_PRECISION * scale;
+        float slack = MARCH_SLACK * scale;
+        field = scene_distance(p);
+        bool started = side != 0.0;
+        float sign_here = field < 0.0 ? -1.0 : 1.0;
+        side = !started && (abs(field) > tolerance || start > 0.0) ? sign_here : side;
+        bool leaving = side == 0.0;
+        float d = side * field;
+        float drop = value - d;
+        // Whether the balls about both ends of the step touch, but for the slack. The tolerance is there because t is rounded.
+        bool touching = !started || moved <= max(1.001 * value + 0.5 * tolerance, value + abs(d) + 1.2 * slack);
+        bool broken = (started && abs(drop) > MARCH_STEEP * moved + 5.0 * tolerance) || !(abs(field) < INFINITY);
+        bool hit = touching && !leaving && !broken && abs(d) <= tolerance;
+        bool past = d < 0.0;
+        bool accepted = leaving || (touching && !past && !broken);
+        // Where the field would be 0, counted from t if the ray is past it, and from the next t if not.
+        float from = past ? value : d;
+        float root = drop > 0.0 ? from * moved / max(drop, 1.0e-30) : INFINITY;
+        // How much longer the next step may be than the ball's radius; see march_careful().
+        float longer = started ? min((moved - drop) / max(moved + drop, 0.2 * moved), 4.0) : 0.0;
+        float ball = d * (1.0 + 0.8 * longer) + slack * 0.5 * (1.0 + longer);
+        float creep = max(2.0 * step, tolerance);
+        float forward = min(ball, root);
+        float back = past && touching ? root : value;
+        step = accepted ? forward : back;
+        step = leaving ? creep : step;
+        found = hit ? next : INFINITY;
+        more = !hit && !(accepted && next + max(d, 0.0) >= end);
+        quick = more && !broken;
+        t = accepted ? next : t;
+        value = accepted ? d : value;
+    }
+    // A short step shows how steep the field is.
+    step = side == 0.0 ? step : 0.25 * value;
+    return March(t, value, step, side, field, found, more, steps);
+}
