@@ -14,10 +14,8 @@ March march_quick(Ray ray, float start, float end, float size) {
     float value = 0.0;
     float side = 0.0;
     float step = 0.0;
-    float field = 0.0;
-    float found = INFINITY;
-    bool more = start < end;
-    bool quick = more;
+    bool hit = false;
+    bool quick = start < end;
     int steps = 0;
     while (steps < MARCH_QUICK && quick) {
         steps += 1;
@@ -27,7 +25,7 @@ March march_quick(Ray ray, float start, float end, float size) {
         float scale = max(march_size(p), size) + next;
         float tolerance = MARCH_PRECISION * scale;
         float slack = MARCH_SLACK * scale;
-        field = scene_distance(p);
+        float field = scene_distance(p);
         bool started = side != 0.0;
         float sign_here = field < 0.0 ? -1.0 : 1.0;
         side = !started && (abs(field) > tolerance || start > 0.0) ? sign_here : side;
@@ -37,9 +35,9 @@ March march_quick(Ray ray, float start, float end, float size) {
         // Whether the balls about both ends of the step touch, but for the slack. The tolerance is there because t is rounded.
         bool touching = !started || moved <= max(1.001 * value + 0.5 * tolerance, value + abs(d) + 1.2 * slack);
         bool broken = (started && abs(drop) > MARCH_STEEP * moved + 5.0 * tolerance) || !(abs(field) < INFINITY);
-        bool hit = touching && !leaving && !broken && abs(d) <= tolerance;
         bool past = d < 0.0;
-        bool accepted = leaving || (touching && !past && !broken);
+        hit = touching && !leaving && !broken && abs(d) <= tolerance;
+        bool accepted = hit || leaving || (touching && !past && !broken);
         // Where the field would be 0, counted from t if the ray is past it, and from the next t if not.
         float from = past ? value : d;
         float root = drop > 0.0 ? from * moved / max(drop, 1.0e-30) : INFINITY;
@@ -47,17 +45,16 @@ March march_quick(Ray ray, float start, float end, float size) {
         float longer = started ? min((moved - drop) / max(moved + drop, 0.2 * moved), 4.0) : 0.0;
         float ball = d * (1.0 + 0.8 * longer) + slack * 0.5 * (1.0 + longer);
         float creep = max(2.0 * step, tolerance);
-        float forward = min(ball, root);
-        float back = past && touching ? root : value;
+        float first = d > 100.0 * tolerance ? 0.5 * d : d;
+        float forward = started ? min(ball, root) : (leaving ? creep : first);
+        float back = past && root < 0.9 * moved ? max(root, value) : value;
         step = accepted ? forward : back;
-        step = leaving ? creep : step;
-        found = hit ? next : INFINITY;
-        more = !hit && !(accepted && next + max(d, 0.0) >= end);
-        quick = more && !broken;
+        quick = !hit && !broken && !(accepted && next + d >= end);
         t = accepted ? next : t;
         value = accepted ? d : value;
     }
     // A short step shows how steep the field is.
     step = side == 0.0 ? step : 0.25 * value;
-    return March(t, value, step, side, field, found, more, steps);
+    float found = hit ? t : INFINITY;
+    return March(t, value, step, side, side * value, found, !hit && t + value < end, steps);
 }
