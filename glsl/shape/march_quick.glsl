@@ -1,7 +1,7 @@
 #include "shape/march_field.glsl"
 
 // The first steps of a march, which are all that most rays need.
-const int MARCH_QUICK = 64;
+const int MARCH_QUICK = 128;
 // How wide a gap between two empty balls may be, as a share of the coordinates and the distance. Near a surface, a gap lets the ray reach it in one
 // step. What is thinner may be missed where a ray only grazes it.
 const float MARCH_SLACK = 3.0e-5;
@@ -45,6 +45,7 @@ March march_quick(Ray ray, float start, float end, float size) {
         float longer = started ? min((moved - drop) / max(moved + drop, 0.2 * moved), 4.0) : 0.0;
         float ball = d * (1.0 + 0.8 * longer) + slack * 0.5 * (1.0 + longer);
         float creep = max(2.0 * step, tolerance);
+        // A first step from afar is short, so that it shows how steep the field is before anything thin can be missed.
         float first = d > 100.0 * tolerance ? 0.5 * d : d;
         float forward = started ? min(ball, root) : (leaving ? creep : first);
         float back = past && root < 0.9 * moved ? max(root, value) : value;
