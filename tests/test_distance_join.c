@@ -35,16 +35,16 @@ static void make_points(double reach, double step) {
 /* `body` sets c by the points p and q. */
 static void evaluate(const char *declarations, const char *body) {
     static char glsl[8192];
-    snprintf(
-        glsl, sizeof glsl,
-        FILE_OF("boolean") FILE_OF("box") FILE_OF("deform") FILE_OF("join") FILE_OF("mirror") FILE_OF(
-            "move") FILE_OF("repeat") FILE_OF("repeat_polar") FILE_OF("repeat_random") FILE_OF("smooth_kinds")
-            FILE_OF("sphere") "uniform sampler2D inputs;\n%s\n"
-                              "vec4 evaluate(vec2 t) {\n    ivec2 at = ivec2(int(t.x) / 2 * 2, int(t.y));\n"
-                              "    vec3 p = texelFetch(inputs, at, 0).xyz, q = texelFetch(inputs, at + "
-                              "ivec2(1, 0), 0).xyz;\n"
-                              "    vec4 c = vec4(0.0);\n    %s\n    return c;\n}\n",
-        declarations, body);
+    snprintf(glsl, sizeof glsl,
+             FILE_OF("boolean") FILE_OF("box") FILE_OF("deform") FILE_OF("join") FILE_OF("mirror") FILE_OF(
+                 "move") FILE_OF("repeat") FILE_OF("repeat_polar") FILE_OF("repeat_random") FILE_OF("share")
+                 FILE_OF("smooth") FILE_OF("smooth_kinds") FILE_OF(
+                     "sphere") "uniform sampler2D inputs;\n%s\n"
+                               "vec4 evaluate(vec2 t) {\n    ivec2 at = ivec2(int(t.x) / 2 * 2, int(t.y));\n"
+                               "    vec3 p = texelFetch(inputs, at, 0).xyz, q = texelFetch(inputs, at + "
+                               "ivec2(1, 0), 0).xyz;\n"
+                               "    vec4 c = vec4(0.0);\n    %s\n    return c;\n}\n",
+             declarations, body);
     support_evaluate(&context, glsl, inputs, WIDTH, HEIGHT, results);
 }
 
@@ -332,9 +332,59 @@ static void test_displaced(void **state) {
     context_close(&context);
 }
 
+/* The share of the second solid is the derivative of the joined distance by its own, and a share of the first
+ * solid is what is left. */
+static void test_shares(void **state) {
+    static const char *const kinds[] = {"smooth_union", "smooth_union_circular", "smooth_union_root"};
+    start(state);
+    make_points(1, 1);
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+        char body[1024];
+        double worst = 0, odd = 0, least = 1, most = 0;
+        snprintf(body, sizeof body,
+                 "float k = 0.7, h = 0.004;\n"
+                 "    c.x = (op_%s(p.x, p.y + h, k) - op_%s(p.x, p.y - h, k)) / (2.0 * h);\n"
+                 "    c.y = share_%s(p.x, p.y, k);\n    c.z = share_%s(p.y, p.x, k);\n"
+                 "    c.w = share_%s(p.x, p.y, 0.0) - share_union(p.x, p.y);\n",
+                 kinds[k], kinds[k], kinds[k], kinds[k], kinds[k]);
+        evaluate("", body);
+        for (int i = 0; i < ITEMS; i++) {
+            const float *c = results + 8 * i;
+            worst = fmax(worst, fabs((double)c[0] - (double)c[1]));
+            odd = fmax(odd, fabs((double)c[1] + (double)c[2] - 1));
+            least = fmin(least, (double)c[1]), most = fmax(most, (double)c[1]);
+            assert_true(fabs((double)c[3]) < 1e-6);
+        }
+        print_message("%s: the share differs by %.1e from the derivative, and is %.3f to %.3f\n", kinds[k],
+                      worst, least, most);
+        assert_true(worst < 4e-3 && odd < 1e-6 && least < 0.1 && least >= 0 && most > 0.9 && most <= 1);
+    }
+    context_close(&context);
+}
+
+/* Three shares of one whole: all of it on a face, a third each in a corner, and the more of one the sharper.
+ */
+static void test_triplanar(void **state) {
+    start(state);
+    make_points(1, 1);
+    evaluate("#include \"color/triplanar.glsl\"\n",
+             "vec3 n = normalize(p), soft = triplanar(n, 1.0), sharp = triplanar(-3.0 * n, 8.0);\n"
+             "    c.x = soft.x + soft.y + soft.z - 1.0;\n"
+             "    c.y = max(max(sharp.x, sharp.y), sharp.z) - max(max(soft.x, soft.y), soft.z);\n"
+             "    c.z = length(triplanar(vec3(0.0, -2.0, 0.0), 4.0) - vec3(0.0, 1.0, 0.0));\n"
+             "    c.w = length(soft - abs(n) / (abs(n.x) + abs(n.y) + abs(n.z)));\n");
+    for (int i = 0; i < ITEMS; i++) {
+        const float *c = results + 8 * i;
+        assert_true(fabs((double)c[0]) < 1e-6 && c[1] >= -1e-6f && c[2] == 0 && c[3] < 1e-6f);
+    }
+    context_close(&context);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_outlines), cmocka_unit_test(test_steepness_of_joins),
-        cmocka_unit_test(test_deformed), cmocka_unit_test(test_same), cmocka_unit_test(test_displaced)};
+        cmocka_unit_test(test_outlines),  cmocka_unit_test(test_steepness_of_joins),
+        cmocka_unit_test(test_deformed),  cmocka_unit_test(test_same),
+        cmocka_unit_test(test_displaced), cmocka_unit_test(test_shares),
+        cmocka_unit_test(test_triplanar)};
     return cmocka_run_group_tests_name("distance_join", tests, support_folder, support_clean);
 }
