@@ -128,7 +128,7 @@ static void test_lights(void **state) {
 static const char *grow_library(void) {
     char command[1024];
     const char *library = support_path("library");
-    snprintf(command, sizeof command, "cp -r glsl '%s'", library);
+    snprintf(command, sizeof command, "cp -rL glsl '%s'", library);
     assert_int_equal(system(command), 0);
     support_write("library/material/chalk.glsl", MATERIAL_LIKE_MATTE("chalk", "CHALK"));
     support_write("library/shape/ball.glsl",
