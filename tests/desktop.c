@@ -263,6 +263,18 @@ static bool number_in(const char *line, size_t length, const char *name, double 
     return at && sscanf(at + strlen(key), "%lf", value) == 1;
 }
 
+/* In the last of the lines before `end` that has it. */
+static double last_number(const char *log, const char *end, const char *name) {
+    double value = -1e300;
+    while (end && end > log) {
+        const char *line = end;
+        while (line > log && line[-1] != '\n') line--;
+        if (number_in(line, (size_t)(end - line), name, &value)) break;
+        end = line > log ? line - 1 : NULL;
+    }
+    return value;
+}
+
 void desktop_expect_number(Desktop *desktop, const char *name, double low, double high) {
     double value = -1e300;
     for (double end = clock_seconds() + patience_s; clock_seconds() < end; pause_ms(5)) {
@@ -294,14 +306,23 @@ double desktop_expect_pair(Desktop *desktop, const char *name, double low, const
     return 0;
 }
 
-/* The window hears events in their order, and shows three frames after each. A key without a meaning that is
- * pressed now is therefore heard after what was done before, and three more frames are sure to come, even at
- * rest. Of these, the first may have been on its way, the second hears all, and the third has its figures. */
+/* The window hears events in their order, says which keys it hears, and shows three frames after each. A key
+ * without a meaning that is pressed now is therefore heard after what was done before, and three more frames
+ * are sure to come, even at rest. The first of these may have the figures of before. */
 double desktop_settle(Desktop *desktop) {
-    double frame = desktop_number(desktop, "frame") + 3;
+    read_log(desktop);
+    size_t start = desktop->log.size;
     desktop_also(desktop, "key F12");
-    desktop_expect_number(desktop, "frame", frame, 1e300);
-    return frame;
+    for (double end = clock_seconds() + patience_s; clock_seconds() < end; pause_ms(5)) {
+        const char *key = strstr(desktop_log(desktop) + start, "\"key\": 301}\n");
+        double frame;
+        if (!key) continue;
+        frame = last_number(text_string(&desktop->log), key, "frame") + 3;
+        desktop_expect_number(desktop, "frame", frame, 1e300);
+        return frame;
+    }
+    show_end(desktop, "the key F12");
+    return 0;
 }
 
 /* Waits for a line with at least this frame, picture and samples, and at most this coarseness. */
@@ -333,15 +354,8 @@ void desktop_expect_rest(Desktop *desktop, double samples) {
 }
 
 double desktop_number(Desktop *desktop, const char *name) {
-    double value = -1e300;
-    const char *log = desktop_log(desktop), *end = strrchr(log, '\n');
-    while (end && end > log) {
-        const char *line = end;
-        while (line > log && line[-1] != '\n') line--;
-        if (number_in(line, (size_t)(end - line), name, &value)) break;
-        end = line > log ? line - 1 : NULL;
-    }
-    return value;
+    const char *log = desktop_log(desktop);
+    return last_number(log, strrchr(log, '\n'), name);
 }
 
 double desktop_largest(Desktop *desktop, const char *name) {

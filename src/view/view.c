@@ -60,6 +60,12 @@ static void pass_time(View *view) {
     record_advance_day(state, passed * state->hours_per_second);
 }
 
+static void log_key(int key) {
+    log_begin("key");
+    log_number("key", key);
+    log_end();
+}
+
 static void hear(View *view, double wait_s) {
     Window *window = &view->window;
     window_poll(window, wait_s);
@@ -68,6 +74,7 @@ static void hear(View *view, double wait_s) {
     for (int i = 0; i < window->event_count; i++) {
         const WindowEvent *event = &window->events[i];
         if (event->kind == WINDOW_DROP) view_open(&view->state, window->dropped);
+        if (event->kind == WINDOW_KEY && event->action) log_key(event->key);
         if (!overlay_event(view->overlay, event, &view->state))
             controls_event(&view->controls, &view->state, event, window->width, window->height);
     }
