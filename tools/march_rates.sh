@@ -1,0 +1,72 @@
+#!/bin/sh
+# How fast two GLSL libraries march: tools/march_rates.sh MAGICHOUR BASE NEW [REPEATS [SCENES [OPTIONS]]]
+#
+# BASE and NEW are folders like glsl/. The rate is that of paths a second of processor time: the time of 80 samples less that of 8, so that
+# what a picture takes before its first sample does not count. The libraries take turns, REPEATS (5) times, and the order of the two
+# changes each time. SCENES are names without .glsl, by default all whose surfaces are marched. OPTIONS are further ones of `render`, such
+# as "--depth 1".
+# One row for each scene: NEW's rate as a multiple of BASE's in the median turn, in the least and in the most, and how the pictures of 80
+# samples, of the same seed, differ: their means by the channel that differs most, and relRMSE.
+#
+# Times are only comparable on a machine that does little else: the spread of the turns tells.
+set -eu
+export LC_ALL=C
+usage() { sed -n '2,/^set/s/^# \{0,1\}//p' "$0" | sed '$d' >&2; exit 2; }
+fail() { echo "march_rates: $1" >&2; exit 2; }
+[ $# -ge 3 ] && [ $# -le 6 ] || usage
+magichour=$1 base=$2 new=$3 repeats=${4:-5} names=${5:-gyroid arches knot csg pillars valley julia menger} options=${6:-}
+scenes=$(dirname "$0")/../scenes
+command -v "$magichour" >/dev/null || fail "no program $magichour"
+for library in "$base" "$new"; do [ -f "$library/shape/march.glsl" ] || fail "no shape/march.glsl in $library"; done
+for name in $names; do [ -f "$scenes/$name.glsl" ] || fail "no scene $name"; done
+[ "$repeats" -gt 0 ] 2>/dev/null || fail "REPEATS is a number above 0, not $repeats"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# spend LIBRARY SCENE SAMPLES PICTURE: renders, and sets `spent` to the seconds of processor time.
+spend() {
+    # OPTIONS are words.
+    # shellcheck disable=SC2086
+    (
+        "$magichour" render "$scenes/$2.glsl" --glsl-dir "$1" --size 256x192 --sky uniform --light cosine --spp "$3" $options --quiet -o "$4" >&2
+        times
+    ) >"$work/times"
+    # The second line is that of the commands: "0m1.25s 0m0.03s".
+    spent=$(awk -F '[ms ]+' 'NR == 2 { print 60 * ($1 + $3) + $2 + $4 }' "$work/times")
+}
+
+# march LIBRARY SCENE NAME: adds the seconds of 72 samples to the list NAME.
+march() {
+    spend "$1" "$2" 8 "$work/few.pfm"
+    few=$spent
+    spend "$1" "$2" 80 "$work/$3.pfm"
+    echo "$few $spent" | awk '{ print $2 - $1 }' >>"$work/$3"
+}
+
+echo "| scene | rate, median | least | most | means differ by | relRMSE |"
+echo "|---|---|---|---|---|---|"
+for name in $names; do
+    : >"$work/base"
+    : >"$work/new"
+    turn=0
+    while [ $turn -lt "$repeats" ]; do
+        [ $((turn % 2)) = 1 ] || march "$base" "$name" base
+        march "$new" "$name" new
+        [ $((turn % 2)) = 0 ] || march "$base" "$name" base
+        turn=$((turn + 1))
+    done
+    rates=$(paste "$work/base" "$work/new" | awk '{ print $1 / $2 }' | sort -n | awk '
+        { rate[NR] = $1 }
+        END { printf "%.3f | %.3f | %.3f", (rate[int((NR + 1) / 2)] + rate[int(NR / 2) + 1]) / 2, rate[1], rate[NR] }')
+    "$magichour" compare "$work/new.pfm" "$work/base.pfm" --json >"$work/difference"
+    difference=$(tr -d '":,[]' <"$work/difference" | awk '
+        function size(x) { return x < 0 ? -x : x }
+        {
+            for (i = 1; i < NF; i++) {
+                if ($i ~ /relRMSE/) error = $(i + 1)
+                if ($i == "bias_R_G_B") for (k = 1; k <= 3; k++) if (k == 1 || size($(i + k)) > size(bias)) bias = $(i + k)
+            }
+            printf "%+.5f %% | %.4f %%", bias, error
+        }')
+    echo "| $name | $rates | $difference |"
+done
