@@ -12,6 +12,8 @@ export LC_ALL=C LP_NUM_THREADS=1
 magichour=$1 folder=$2 charts=$3 scenes=${4:-all} suns=${5:-60 30 5 -2}
 tools=$(dirname "$0")
 root=$tools/..
+# shellcheck source=tools/measure.sh
+. "$tools/measure.sh"
 size=48x48 pixels=2304
 [ "$scenes" != all ] || scenes=$(cd "$root/scenes" && for file in *.glsl; do echo "${file%.glsl}"; done)
 mkdir -p "$folder" "$charts"
@@ -32,22 +34,20 @@ lights_of() {
     ! grep -q '^//@ *portal' "$root/scenes/$1.glsl" || echo portal
 }
 
-# Renders and prints the process's CPU seconds. What it says as JSON goes to a file: cpu_seconds FILE OPTION...
-cpu_seconds() {
+# Renders and prints the processor's seconds. What it says as JSON goes to a file: render_seconds FILE OPTION...
+render_seconds() {
     said=$1
     shift
-    ("$magichour" render "$@" --quiet --progress json -o "$folder/timed.$$.pfm" 2>"$said"
-        times >"$folder/times.$$")
-    awk -F '[ms ]+' 'NR == 2 { print 60 * $1 + $2 + 60 * $3 + $4 }' "$folder/times.$$"
+    cpu_seconds "$said" "$magichour" render "$@" --quiet --progress json -o "$folder/timed.$$.pfm"
 }
 
 # Adds a measurement of a path's time: the CPU seconds of a run of one sample, those of a longer run, and its paths. time_once NAME OPTION...
 time_once() {
     kept=$folder/$1.times
     shift
-    start=$(cpu_seconds "$folder/timed.$$.json" "$@" --spp 1)
-    all=$(cpu_seconds "$folder/timed.$$.json" "$@" --spp 1000000 --time 1.2)
-    sed -n "s/.*\"done\": true.*\"paths\": \([0-9]*\).*/$start $all \1/p" "$folder/timed.$$.json" >>"$kept"
+    start=$(render_seconds "$folder/timed.$$.json" "$@" --spp 1)
+    all=$(render_seconds "$folder/timed.$$.json" "$@" --spp 1000000 --time 1.2)
+    echo "$start $all $(json_number paths "$folder/timed.$$.json")" >>"$kept"
 }
 
 # The nanoseconds of a path in each method of a scene: the least of several runs in turns. The driver keeps compiled programs, so that the first
@@ -99,17 +99,7 @@ for sun in $suns; do for scene in $scenes; do for disk in off on; do
         sed -n 's/^sky.* light \([a-z]*\),.*/\1/p' >"$folder/$cell.auto"
     echo "atlas-light: $cell"
 done; done; done
-rm -f "$folder"/timed.$$.* "$folder/times.$$"
-
-# A picture's values, one a line.
-values() {
-    od -A n -v -t f4 -w4 -j 14 "$1"
-}
-
-# A figure of a picture: said NAME FILE.
-said() {
-    sed -n "s/.*\"done\": true.*\"$1\": \([-0-9.e+]*\).*/\1/p" "$2"
-}
+rm -f "$folder"/timed.$$.*
 
 # The file with the time of a path. Below the horizon the sun's disk costs nothing.
 ns_file() {
@@ -121,12 +111,12 @@ for scene in $scenes; do for disk in off on; do for sun in $suns; do
     cell=$scene-$sun-$disk
     for light in $(lights_of "$scene"); do
         name=$folder/$cell-$light
-        values "$name-1.pfm" >"$folder/values.1"
-        values "$name-2.pfm" >"$folder/values.2"
+        pfm_values "$name-1.pfm" >"$folder/values.1"
+        pfm_values "$name-2.pfm" >"$folder/values.2"
         paste "$folder/values.1" "$folder/values.2" |
             awk -v row="$scene,$sun,$disk,$light" -v auto="$(cat "$folder/$cell.auto")" -v ns="$(cat "$(ns_file "$scene" "$sun" $disk $light)")" \
-                -v pixels=$pixels -v samples="$(said samples "$name-1.json")" \
-                -v estimated="$(said noise_percent "$name-2.json")" \
+                -v pixels=$pixels -v samples="$(json_number samples "$name-1.json")" \
+                -v estimated="$(json_number noise_percent "$name-2.json")" \
                 -f "$tools/atlas_light.errors.awk" >>"$folder/atlas-light.csv"
     done
 done; done; done

@@ -13,9 +13,12 @@ set -eu
 export LC_ALL=C
 usage() { sed -n '2,/^set/s/^# \{0,1\}//p' "$0" | sed '$d' >&2; exit 2; }
 fail() { echo "march_rates: $1" >&2; exit 2; }
-[ $# -ge 3 ] && [ $# -le 6 ] || usage
+case $# in [3-6]) ;; *) usage ;; esac
 magichour=$1 base=$2 new=$3 repeats=${4:-5} names=${5:-gyroid arches knot csg pillars valley julia menger} options=${6:-}
-scenes=$(dirname "$0")/../scenes
+tools=$(dirname "$0")
+# shellcheck source=tools/measure.sh
+. "$tools/measure.sh"
+scenes=$tools/../scenes
 command -v "$magichour" >/dev/null || fail "no program $magichour"
 for library in "$base" "$new"; do [ -f "$library/shape/march.glsl" ] || fail "no shape/march.glsl in $library"; done
 for name in $names; do [ -f "$scenes/$name.glsl" ] || fail "no scene $name"; done
@@ -23,24 +26,19 @@ for name in $names; do [ -f "$scenes/$name.glsl" ] || fail "no scene $name"; don
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# spend LIBRARY SCENE SAMPLES PICTURE: renders, and sets `spent` to the seconds of processor time.
-spend() {
+# The seconds of processor time of a picture: seconds LIBRARY SCENE SAMPLES PICTURE
+seconds() {
     # OPTIONS are words.
     # shellcheck disable=SC2086
-    (
-        "$magichour" render "$scenes/$2.glsl" --glsl-dir "$1" --size 256x192 --sky uniform --light cosine --spp "$3" $options --quiet -o "$4" >&2
-        times
-    ) >"$work/times"
-    # The second line is that of the commands: "0m1.25s 0m0.03s".
-    spent=$(awk -F '[ms ]+' 'NR == 2 { print 60 * ($1 + $3) + $2 + $4 }' "$work/times")
+    cpu_seconds "$work/messages" "$magichour" render "$scenes/$2.glsl" --glsl-dir "$1" --size 256x192 --sky uniform --light cosine --spp "$3" \
+        $options --quiet -o "$4"
 }
 
-# march LIBRARY SCENE NAME: adds the seconds of 72 samples to the list NAME.
+# Adds the seconds of 72 samples to a list: march LIBRARY SCENE LIST
 march() {
-    spend "$1" "$2" 8 "$work/few.pfm"
-    few=$spent
-    spend "$1" "$2" 80 "$work/$3.pfm"
-    echo "$few $spent" | awk '{ print $2 - $1 }' >>"$work/$3"
+    few=$(seconds "$1" "$2" 8 "$work/few.pfm")
+    many=$(seconds "$1" "$2" 80 "$work/$3.pfm")
+    echo "$few $many" | awk '{ print $2 - $1 }' >>"$work/$3"
 }
 
 echo "| scene | rate, median | least | most | means differ by | relRMSE |"
@@ -59,14 +57,5 @@ for name in $names; do
         { rate[NR] = $1 }
         END { printf "%.3f | %.3f | %.3f", (rate[int((NR + 1) / 2)] + rate[int(NR / 2) + 1]) / 2, rate[1], rate[NR] }')
     "$magichour" compare "$work/new.pfm" "$work/base.pfm" --json >"$work/difference"
-    difference=$(tr -d '":,[]' <"$work/difference" | awk '
-        function size(x) { return x < 0 ? -x : x }
-        {
-            for (i = 1; i < NF; i++) {
-                if ($i ~ /relRMSE/) error = $(i + 1)
-                if ($i == "bias_R_G_B") for (k = 1; k <= 3; k++) if (k == 1 || size($(i + k)) > size(bias)) bias = $(i + k)
-            }
-            printf "%+.5f %% | %.4f %%", bias, error
-        }')
-    echo "| $name | $rates | $difference |"
+    printf '| %s | %s | %s %% | %.4f %% |\n' "$name" "$rates" "$(largest_bias "$work/difference")" "$(json_number relRMSE "$work/difference")"
 done
