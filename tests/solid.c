@@ -1,4 +1,5 @@
 #include "solid.h"
+#include "random.h"
 #include "support.h"
 
 #include <math.h>
@@ -7,13 +8,7 @@
 enum { WIDTH = 64, HEIGHT = 32, GRID = 40, NODES = GRID + 1, MOST_PATCHES = 72 };
 
 static float inputs[8 * SOLID_ITEMS], results[8 * SOLID_ITEMS];
-static unsigned random_state;
 static const double PI2 = 6.283185307179586;
-
-static double random_unit(void) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return (random_state >> 8) / 16777216.0;
-}
 
 double place_distance2(Place a, Place b) {
     return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z);

@@ -1,6 +1,7 @@
 /* Distance fields on the GPU: never more than the distance, exact where they say so; and marching them finds
  * what the exact shapes find.
  */
+#include "random.h"
 #include "support.h"
 
 #include <math.h>
@@ -11,13 +12,7 @@ enum { ITEMS = 64 * 64 };
 
 /* Eight numbers an item, in pairs of texels: a point and s; a direction and another number. */
 static float inputs[8 * ITEMS], results[8 * ITEMS];
-static unsigned random_state;
 static Context context;
-
-static double random_unit(void) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return (random_state >> 8) / 16777216.0;
-}
 
 static void start(void **state) {
     (void)state;

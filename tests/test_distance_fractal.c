@@ -1,6 +1,8 @@
 /* Fractals as distance fields: beside a search over the cubes of a sponge, no steeper than they say, below
  * the distance to places on their surfaces, and empty as far as they say.
  */
+#include "points.h"
+#include "random.h"
 #include "support.h"
 
 #include <math.h>
@@ -10,42 +12,25 @@ enum { WIDTH = 256, HEIGHT = 128, ITEMS = WIDTH * HEIGHT / 2 };
 
 /* Two points for each item. */
 static float inputs[8 * ITEMS], results[8 * ITEMS];
-static unsigned random_state;
 static Context context;
 
-static double random_unit(void) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return (random_state >> 8) / 16777216.0;
-}
-
-/* Points within `reach` of the origin, each with another one that is nearer than 0.3 by up to five powers of
+/* Points within `reach` of the origin, each with another one that is nearer than 0.3 by up to four powers of
  * ten. */
 static void make_points(double reach) {
     random_state = 5;
-    for (int i = 0; i < ITEMS; i++) {
-        double step = 0.3 * pow(10, -4 * random_unit());
-        for (int c = 0; c < 3; c++) {
-            inputs[8 * i + c] = (float)(reach * (2 * random_unit() - 1));
-            inputs[8 * i + 4 + c] = inputs[8 * i + c] + (float)(step * (2 * random_unit() - 1));
-        }
-    }
+    points_make(inputs, ITEMS, reach, 0.3, 4);
 }
 
 #define FILE_OF(name) "#include \"distance/" name ".glsl\"\n"
 
 /* `body` sets c by the points p and q and the field. */
 static void evaluate(const char *field, const char *body) {
-    static char glsl[8192];
-    snprintf(glsl, sizeof glsl,
+    char declarations[1024];
+    snprintf(declarations, sizeof declarations,
              FILE_OF("apollonian") FILE_OF("julia") FILE_OF("mandelbulb")
-                 FILE_OF("menger") "uniform sampler2D inputs;\nfloat field(vec3 p) { return %s; }\n"
-                                   "vec4 evaluate(vec2 t) {\n"
-                                   "    ivec2 at = ivec2(int(t.x) / 2 * 2, int(t.y));\n"
-                                   "    vec3 p = texelFetch(inputs, at, 0).xyz;\n"
-                                   "    vec3 q = texelFetch(inputs, at + ivec2(1, 0), 0).xyz;\n"
-                                   "    vec4 c = vec4(0.0);\n    %s\n    return c;\n}\n",
-             field, body);
-    support_evaluate(&context, glsl, inputs, WIDTH, HEIGHT, results);
+                 FILE_OF("menger") "float field(vec3 p) { return %s; }\n",
+             field);
+    points_evaluate(&context, declarations, body, inputs, WIDTH, HEIGHT, results);
 }
 
 typedef struct Fractal {

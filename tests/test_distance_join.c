@@ -1,6 +1,8 @@
 /* Operators on distances: where two surfaces at right angles are joined, the outline is the one that is said;
  * deformed and repeated solids are those said otherwise; and nothing changes faster than it says.
  */
+#include "points.h"
+#include "random.h"
 #include "support.h"
 
 #include <math.h>
@@ -10,42 +12,26 @@ enum { WIDTH = 64, HEIGHT = 32, ITEMS = WIDTH * HEIGHT / 2 };
 
 /* Two points and a number for each item. */
 static float inputs[8 * ITEMS], results[8 * ITEMS];
-static unsigned random_state;
 static Context context;
 static const double PI2 = 6.283185307179586;
-
-static double random_unit(void) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return (random_state >> 8) / 16777216.0;
-}
 
 /* Points within `reach` of the origin, each with another one at most `step` away. */
 static void make_points(double reach, double step) {
     random_state = 11;
-    for (int i = 0; i < ITEMS; i++) {
-        for (int c = 0; c < 3; c++) {
-            inputs[8 * i + c] = (float)(reach * (2 * random_unit() - 1));
-            inputs[8 * i + 4 + c] = inputs[8 * i + c] + (float)(step * (2 * random_unit() - 1));
-        }
-    }
+    points_make(inputs, ITEMS, reach, step, 0);
 }
 
 #define FILE_OF(name) "#include \"distance/" name ".glsl\"\n"
 
 /* `body` sets c by the points p and q. */
 static void evaluate(const char *declarations, const char *body) {
-    static char glsl[8192];
-    snprintf(glsl, sizeof glsl,
-             FILE_OF("boolean") FILE_OF("box") FILE_OF("deform") FILE_OF("join") FILE_OF("mirror") FILE_OF(
-                 "move") FILE_OF("repeat") FILE_OF("repeat_polar") FILE_OF("repeat_random") FILE_OF("share")
-                 FILE_OF("smooth") FILE_OF("smooth_kinds") FILE_OF(
-                     "sphere") "uniform sampler2D inputs;\n%s\n"
-                               "vec4 evaluate(vec2 t) {\n    ivec2 at = ivec2(int(t.x) / 2 * 2, int(t.y));\n"
-                               "    vec3 p = texelFetch(inputs, at, 0).xyz, q = texelFetch(inputs, at + "
-                               "ivec2(1, 0), 0).xyz;\n"
-                               "    vec4 c = vec4(0.0);\n    %s\n    return c;\n}\n",
-             declarations, body);
-    support_evaluate(&context, glsl, inputs, WIDTH, HEIGHT, results);
+    static char all[8192];
+    snprintf(all, sizeof all,
+             FILE_OF("boolean") FILE_OF("box") FILE_OF("deform") FILE_OF("join") FILE_OF("mirror")
+                 FILE_OF("move") FILE_OF("repeat") FILE_OF("repeat_polar") FILE_OF("repeat_random")
+                     FILE_OF("share") FILE_OF("smooth") FILE_OF("smooth_kinds") FILE_OF("sphere") "%s",
+             declarations);
+    points_evaluate(&context, all, body, inputs, WIDTH, HEIGHT, results);
 }
 
 static void start(void **state) {
@@ -362,29 +348,10 @@ static void test_shares(void **state) {
     context_close(&context);
 }
 
-/* Three shares of one whole: all of it on a face, a third each in a corner, and the more of one the sharper.
- */
-static void test_triplanar(void **state) {
-    start(state);
-    make_points(1, 1);
-    evaluate("#include \"color/triplanar.glsl\"\n",
-             "vec3 n = normalize(p), soft = triplanar(n, 1.0), sharp = triplanar(-3.0 * n, 8.0);\n"
-             "    c.x = soft.x + soft.y + soft.z - 1.0;\n"
-             "    c.y = max(max(sharp.x, sharp.y), sharp.z) - max(max(soft.x, soft.y), soft.z);\n"
-             "    c.z = length(triplanar(vec3(0.0, -2.0, 0.0), 4.0) - vec3(0.0, 1.0, 0.0));\n"
-             "    c.w = length(soft - abs(n) / (abs(n.x) + abs(n.y) + abs(n.z)));\n");
-    for (int i = 0; i < ITEMS; i++) {
-        const float *c = results + 8 * i;
-        assert_true(fabs((double)c[0]) < 1e-6 && c[1] >= -1e-6f && c[2] == 0 && c[3] < 1e-6f);
-    }
-    context_close(&context);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_outlines),  cmocka_unit_test(test_steepness_of_joins),
         cmocka_unit_test(test_deformed),  cmocka_unit_test(test_same),
-        cmocka_unit_test(test_displaced), cmocka_unit_test(test_shares),
-        cmocka_unit_test(test_triplanar)};
+        cmocka_unit_test(test_displaced), cmocka_unit_test(test_shares)};
     return cmocka_run_group_tests_name("distance_join", tests, support_folder, support_clean);
 }

@@ -418,6 +418,31 @@ static void test_colors(void **state) {
     context_close(&context);
 }
 
+/* Three shares of one whole: all of it on a face, a third each in a corner, and the more of one the sharper.
+ */
+static void test_triplanar(void **state) {
+    (void)state;
+    Context context;
+    support_open(&context);
+    support_evaluate(
+        &context,
+        "#include \"color/triplanar.glsl\"\n#include \"math/hash.glsl\"\n"
+        "vec4 evaluate(vec2 t) {\n    uvec3 random = hash_3(uvec3(uvec2(t), 0u));\n"
+        "    vec3 n = normalize(vec3(unit_float(random.x), unit_float(random.y), unit_float(random.z)) - "
+        "0.5);\n"
+        "    vec3 soft = triplanar(n, 1.0), sharp = triplanar(-3.0 * n, 8.0);\n"
+        "    return vec4(soft.x + soft.y + soft.z - 1.0,\n"
+        "                max(max(sharp.x, sharp.y), sharp.z) - max(max(soft.x, soft.y), soft.z),\n"
+        "                length(triplanar(vec3(0.0, -2.0, 0.0), 4.0) - vec3(0.0, 1.0, 0.0)),\n"
+        "                length(soft - abs(n) / (abs(n.x) + abs(n.y) + abs(n.z))));\n}",
+        NULL, SIDE, SIDE, results);
+    for (int i = 0; i < TEXELS; i++) {
+        const float *v = results + 4 * i;
+        assert_true(fabs((double)v[0]) < 1e-6 && v[1] >= -1e-6f && v[2] == 0 && v[3] < 1e-6f);
+    }
+    context_close(&context);
+}
+
 static void flatten_crater(GlslSource *source, const char *library) {
     const GlslSlot slots[] = {{"scene", "scenes/crater.glsl", NULL}, {NULL, NULL, NULL}};
     Error error;
@@ -451,11 +476,12 @@ static void test_not_included(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_matte),       cmocka_unit_test(test_glass_back),
-        cmocka_unit_test(test_rough_metal), cmocka_unit_test(test_smooth_metal),
-        cmocka_unit_test(test_reciprocity), cmocka_unit_test(test_author),
-        cmocka_unit_test(test_glass),       cmocka_unit_test(test_passage),
-        cmocka_unit_test(test_colors),      cmocka_unit_test(test_not_included),
+        cmocka_unit_test(test_matte),        cmocka_unit_test(test_glass_back),
+        cmocka_unit_test(test_rough_metal),  cmocka_unit_test(test_smooth_metal),
+        cmocka_unit_test(test_reciprocity),  cmocka_unit_test(test_author),
+        cmocka_unit_test(test_glass),        cmocka_unit_test(test_passage),
+        cmocka_unit_test(test_colors),       cmocka_unit_test(test_triplanar),
+        cmocka_unit_test(test_not_included),
     };
     return cmocka_run_group_tests_name("material", tests, support_folder, support_clean);
 }

@@ -1,5 +1,6 @@
 /* The GLSL library by the GPU, and by C++ in float and in double: the same files, the same numbers. */
 #include "oracle/oracle.h"
+#include "random.h"
 #include "scene/sphere_tree.h"
 #include "support.h"
 
@@ -38,13 +39,7 @@ static const double pi = 3.14159265358979323846;
 static const double heights[] = {0, 0.1, 1, 10, 300, 8e3, 2e4, 59999, 1e5, 1e6};
 
 static float inputs[8 * ORACLE_ITEMS];
-static unsigned random_state;
 static Context context;
-
-static double random_unit(void) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return (random_state >> 8) / 16777216.0;
-}
 
 /* Skips the test where there is no GPU to compare with. */
 static void start(void **state) {

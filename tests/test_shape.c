@@ -1,5 +1,6 @@
 /* Exact shapes on the GPU: what they hit lies on them, nothing solid lies before it, and normals are theirs.
  */
+#include "random.h"
 #include "support.h"
 
 #include <math.h>
@@ -9,20 +10,15 @@ enum { RAYS = 64 * 64 };
 
 static float inputs[8 * RAYS], results[8 * RAYS];
 
-static double random_unit(unsigned *state) {
-    *state = *state * 1664525u + 1013904223u;
-    return (*state >> 8) / 16777216.0;
-}
-
 /* Rays in pairs of texels, origin and direction; half of them aimed near the sphere, some skimming it. */
 static void make_rays(double scale, double lowest, const double centre[3], double radius) {
-    unsigned seed = 7;
+    random_state = 7;
     for (int i = 0; i < RAYS; i++) {
         float *origin = inputs + 8 * i, *direction = origin + 4;
         double length = 0, target[3], v[3];
         for (int c = 0; c < 3; c++) {
-            origin[c] = (float)(scale * (2 * random_unit(&seed) - 1));
-            target[c] = centre[c] + (i % 2 ? 1.2 : 8) * radius * (2 * random_unit(&seed) - 1);
+            origin[c] = (float)(scale * (2 * random_unit() - 1));
+            target[c] = centre[c] + (i % 2 ? 1.2 : 8) * radius * (2 * random_unit() - 1);
         }
         if ((double)origin[1] < lowest) origin[1] = (float)(lowest - (double)origin[1]);
         for (int c = 0; c < 3; c++) v[c] = target[c] - (double)origin[c], length += v[c] * v[c];
@@ -258,13 +254,13 @@ static double solid_ellipsoid(const double p[3]) {
 /* Rays at three scales from near (often inside), from afar and from very far. */
 static void make_scaled_rays(void) {
     static const double scales[] = {1e-3, 1, 1e4}, reaches[] = {1.2, 10, 1000};
-    unsigned seed = 11;
+    random_state = 11;
     for (int i = 0; i < RAYS; i++) {
         float *origin = inputs + 8 * i, *direction = origin + 4;
         double scale = scales[i % 3], reach = scale * reaches[i / 3 % 3], v[3], length = 0;
         for (int c = 0; c < 3; c++) {
-            origin[c] = (float)(reach * (2 * random_unit(&seed) - 1));
-            v[c] = 1.2 * scale * (2 * random_unit(&seed) - 1) - (double)origin[c];
+            origin[c] = (float)(reach * (2 * random_unit() - 1));
+            v[c] = 1.2 * scale * (2 * random_unit() - 1) - (double)origin[c];
             length += v[c] * v[c];
         }
         for (int c = 0; c < 3; c++) direction[c] = (float)(v[c] / sqrt(length));

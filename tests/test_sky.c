@@ -1,5 +1,6 @@
 /* The paper's sky on the GPU in float, against the same sums written plainly in long double, and against the
  * converged irradiance. */
+#include "random.h"
 #include "support.h"
 
 #include <math.h>
@@ -76,11 +77,6 @@ static void paper_sky(double height, const double view[3], const double sun[3], 
     for (int c = 0; c < 3; c++) out[c] = (double)(20 * (sum_r[c] * BR[c] * rayleigh + sum_m[c] * BM * mie));
 }
 
-static double random_unit(unsigned *state) {
-    *state = *state * 1664525u + 1013904223u;
-    return (*state >> 8) / 16777216.0;
-}
-
 /* Directions as the GPU gets them, in float, so that both sides look the same way. */
 static void direction(double elevation, double azimuth, float out[3]) {
     out[0] = (float)(cos(elevation) * sin(azimuth));
@@ -96,13 +92,13 @@ static void test_against_long_double(void **state) {
     static const double suns[] = {90, 60, 30, 10, 5, 2, 0.1, -2, -6, -12};
     static float inputs[4 * 2 * ROWS], results[4 * 2 * ROWS];
     Context context;
-    unsigned seed = 1;
+    random_state = 1;
     support_open(&context);
     for (int i = 0; i < ROWS; i++) {
         float *row = inputs + 8 * i;
-        double low = i % 3 == 0 ? 0.02 : 1.5, up = (2 * random_unit(&seed) - (i % 2 ? 1 : 0.1)) * low;
+        double low = i % 3 == 0 ? 0.02 : 1.5, up = (2 * random_unit() - (i % 2 ? 1 : 0.1)) * low;
         row[3] = (float)heights[i % 10];
-        direction(up > 1.5707 ? 1.5707 : up, 6.28 * random_unit(&seed), row);
+        direction(up > 1.5707 ? 1.5707 : up, 6.28 * random_unit(), row);
         direction(suns[(i / 10) % 10] * degree, 0, row + 4);
     }
     support_evaluate(

@@ -1,4 +1,5 @@
 /* Many spheres: the tree, files and annotations that are wrong, and pictures of them. */
+#include "random.h"
 #include "support.h"
 
 #include "render/aov.h"
@@ -13,13 +14,6 @@
 #include <time.h>
 
 enum { MANY = 100000, WIDTH = 96, HEIGHT = 64, PIXELS = WIDTH * HEIGHT };
-
-static unsigned random_state;
-
-static double random_unit(void) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return (random_state >> 8) / 16777216.0;
-}
 
 /* One list, as it is walked. */
 typedef struct Walk {

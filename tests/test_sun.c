@@ -1,5 +1,6 @@
 /* The sun's disk: its reflection in a sphere, the light that the sphere throws, its exact image, and what the
  * ground gets. */
+#include "random.h"
 #include "support.h"
 #include "ztest.h"
 
@@ -26,11 +27,6 @@ static void normalise(double v[3]) {
     for (int i = 0; i < 3; i++) v[i] /= length;
 }
 
-static double random_unit(unsigned *state) {
-    *state = *state * 1664525u + 1013904223u;
-    return (*state >> 8) / 16777216.0;
-}
-
 /* Where light from `light` that meets the unit sphere at `normal` is, after `t`. */
 static void throw_light(const double normal[3], const double light[3], double t, double point[3],
                         double direction[3]) {
@@ -46,14 +42,14 @@ static void test_reflection(void **state) {
     static double normals[TEXELS][3], focus[TEXELS], distances[TEXELS];
     const double light[3] = {0.48, 0.6, 0.64};
     Context context;
-    unsigned seed = 3;
+    random_state = 3;
     double worst[2] = {0}, squares = 0;
     support_open(&context);
     for (int i = 0; i < TEXELS; i++) {
-        double *n = normals[i], side[3], other[3], p[3][3], d[3], t = pow(10, 3 * random_unit(&seed) - 1.5),
+        double *n = normals[i], side[3], other[3], p[3][3], d[3], t = pow(10, 3 * random_unit() - 1.5),
                step = 1e-6;
         do {
-            for (int k = 0; k < 3; k++) n[k] = 2 * random_unit(&seed) - 1;
+            for (int k = 0; k < 3; k++) n[k] = 2 * random_unit() - 1;
         } while (dot(n, n) > 1 || dot(n, n) < 0.01);
         normalise(n);
         if (dot(n, light) < 0)
@@ -280,10 +276,10 @@ static void test_shares(void **state) {
     enum { CELLS = 1000 };
     static double weights[CELLS];
     static int bins[CELLS];
-    unsigned seed = 9;
+    random_state = 9;
     double total = 0;
     int sum = 0;
-    for (int i = 0; i < CELLS; i++) total += weights[i] = i % 3 ? pow(random_unit(&seed), 6) : 0;
+    for (int i = 0; i < CELLS; i++) total += weights[i] = i % 3 ? pow(random_unit(), 6) : 0;
     sky_sampler_share(weights, CELLS, bins);
     for (int i = 0; i < CELLS; i++) {
         sum += bins[i];

@@ -1,5 +1,7 @@
 /* Thin things are not lost by the march, which lets a gap of MARCH_SLACK (glsl/shape/march_quick.glsl) pass.
  */
+#include "points.h"
+#include "random.h"
 #include "support.h"
 
 #include <math.h>
@@ -10,54 +12,48 @@ enum { SIDE = 64, RAYS = SIDE * SIDE };
 /* Two texels a ray. */
 static float inputs[8 * RAYS], results[8 * RAYS];
 
-static double random_unit(unsigned *state) {
-    *state = *state * 1664525u + 1013904223u;
-    return (*state >> 8) / 16777216.0;
-}
-
 /* Rays from places 4 m away into nine upright wires of a metre, three behind three, each some thicknesses
  * from the next. A ray passes close by some before it meets another, and its steps are longest as it leaves
  * one. The result is the share of rays that meet an exact wire and no marched one, or another one; `extra` is
  * the share that meet a marched one alone. */
 static double lost(double thickness, double *extra) {
-    char glsl[4096];
+    char declarations[2048];
     Context context;
-    unsigned state = 7;
+    random_state = 7;
     int met = 0, missed = 0, alone = 0;
     for (int i = 0; i < RAYS; i++) {
         float *origin = inputs + 8 * i, *toward = origin + 4;
-        origin[0] = (float)(0.6 * (2 * random_unit(&state) - 1));
-        origin[1] = (float)(random_unit(&state) - 0.5);
+        origin[0] = (float)(0.6 * (2 * random_unit() - 1));
+        origin[1] = (float)(random_unit() - 0.5);
         origin[2] = -4;
         origin[3] = 0;
-        toward[0] = (float)(6 * thickness * (2 * random_unit(&state) - 1));
-        toward[1] = (float)(0.9 * random_unit(&state) - 0.45);
+        toward[0] = (float)(6 * thickness * (2 * random_unit() - 1));
+        toward[1] = (float)(0.9 * random_unit() - 0.45);
         toward[2] = 0;
         toward[3] = 0;
     }
     snprintf(
-        glsl, sizeof glsl,
+        declarations, sizeof declarations,
         "#include \"distance/capsule.glsl\"\n#include \"shape/capsule.glsl\"\n#include \"shape/march.glsl\"\n"
-        "uniform sampler2D inputs;\nconst float RADIUS = float(%.9g);\n"
-        "vec3 at(int i, float y) {\n"
+        "const float RADIUS = float(%.9g);\n"
+        "vec3 end(int i, float y) {\n"
         "    return RADIUS * vec3(8.0 * float(i %% 3 - 1) + 1.7 * float(i / 3), y / RADIUS, 9.0 * "
         "float(i / 3 - 1));\n}\n"
         "float scene_distance(vec3 p) {\n"
         "    float d = INFINITY;\n"
-        "    for (int i = 0; i < 9; i++) d = min(d, distance_capsule(p, at(i, -0.5), at(i, 0.5), RADIUS));\n"
-        "    return d;\n}\n"
-        "vec4 evaluate(vec2 t) {\n"
-        "    ivec2 pair = ivec2(int(t.x) / 2 * 2, int(t.y));\n"
-        "    vec3 from = texelFetch(inputs, pair, 0).xyz, to = texelFetch(inputs, pair + ivec2(1, 0), "
-        "0).xyz;\n"
-        "    Ray ray = Ray(from, normalize(to - from));\n"
-        "    Hit exact = hit_none(), marched = hit_none();\n"
-        "    for (int i = 0; i < 9; i++) hit_capsule(ray, at(i, -0.5), at(i, 0.5), RADIUS, 1, exact);\n"
-        "    march(ray, 1, marched);\n"
-        "    return vec4(exact.t, marched.t, search_broken, search_cut);\n}",
+        "    for (int i = 0; i < 9; i++) d = min(d, distance_capsule(p, end(i, -0.5), end(i, 0.5), "
+        "RADIUS));\n"
+        "    return d;\n}\n",
         thickness / 2);
     support_open(&context);
-    support_evaluate(&context, glsl, inputs, 2 * SIDE, SIDE, results);
+    points_evaluate(
+        &context, declarations,
+        "Ray ray = Ray(p, normalize(q - p));\n"
+        "    Hit exact = hit_none(), marched = hit_none();\n"
+        "    for (int i = 0; i < 9; i++) hit_capsule(ray, end(i, -0.5), end(i, 0.5), RADIUS, 1, exact);\n"
+        "    march(ray, 1, marched);\n"
+        "    c = vec4(exact.t, marched.t, search_broken, search_cut);\n",
+        inputs, 2 * SIDE, SIDE, results);
     context_close(&context);
     for (int i = 0; i < RAYS; i++) {
         const float *result = results + 8 * i;
