@@ -1,6 +1,9 @@
 #define _GNU_SOURCE /* memmem */
 #include "fuzz/input.h"
 
+#include "base/budget.h"
+#include "image/format.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,4 +60,18 @@ Text input_text(const uint8_t *data, size_t size) {
     Text text = {0};
     text_append(&text, data, size);
     return text;
+}
+
+void input_picture(const uint8_t *data, size_t size, InputDecoder *decode) {
+    Text file = input_text(data, size), said = {0}, value = {0};
+    Image image;
+    Error error;
+    /* Little, so that what is within the bounds is quick. */
+    budget_set(32 << 20);
+    if (decode(&image, "fuzz", &file, &(ImageReadParams){.said = &said}, &error)) image_free(&image);
+    (void)!image_attribute(&file, "magichour.command", &value);
+    budget_give((size_t)-1);
+    text_free(&value);
+    text_free(&said);
+    text_free(&file);
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "base/text.h"
+#include "image/image.h"
+#include "image/read_params.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -20,3 +22,10 @@ size_t input_part(const uint8_t **data, size_t *size, const uint8_t **part);
 
 /* The bytes as a text. To be freed. */
 Text input_text(const uint8_t *data, size_t size);
+
+/* A decoder of image/codec.h. */
+typedef bool InputDecoder(Image *image, const char *path, const Text *file, const ImageReadParams *params,
+                          Error *error);
+
+/* Reads a picture file and its metadata, with little memory. */
+void input_picture(const uint8_t *data, size_t size, InputDecoder *decode);
