@@ -16,6 +16,8 @@
 #   --size WxH, --spp N, --seed N, --jobs N
 set -eu
 export LC_ALL=C
+# shellcheck source=tools/measure.sh
+. "$(dirname "$0")/measure.sh"
 
 # render FOLDER PICTURE SCENE OPTIONS...: what the build in FOLDER says goes to PICTURE.log.
 render() {
@@ -28,10 +30,9 @@ render() {
 words() { sed "s|$1/||g" "$2.log"; }
 
 # What `compare` measures, and the value that differs most for its size. Succeeds where that is a millionth at most.
-# PFM: three lines of text, then floats.
 difference() {
     "$BASE/build/magichour" compare "$2" "$1" 2>&1 | awk '$1 == "relRMSE" { printf "relRMSE %s %%, ", $2 }'
-    for picture in "$1" "$2"; do sed 1,3d "$picture" | od -An -v -t f4 -w4 >"$picture.txt"; done
+    for picture in "$1" "$2"; do pfm_values "$picture" >"$picture.txt"; done
     paste "$1.txt" "$2.txt" | awk '
         function size(x) { return x < 0 ? -x : x }
         $1 "" == $2 "" { next }
