@@ -1,5 +1,5 @@
 # What the READMEs show and claim, made anew: pictures, charts and measurements. Included by the Makefile.
-.PHONY: gallery atlas atlas-light references honesty bias-scan sheets shapes skies charts points site view check-view measure-view
+.PHONY: gallery atlas atlas-light references honesty bias-scan sheets shapes skies charts points march-tolerance site view check-view measure-view
 
 # The README's pictures.
 gallery: all
@@ -50,6 +50,11 @@ charts: all
 # The points of Mitsuba and of the paper's own method in these charts: two minutes. tools/peer_error.py says how Mitsuba is installed.
 points: all
 	tools/points.sh $(BUILD)/magichour scenes/gallery
+
+# What the march's tolerances leave and cost: half an hour of one core.
+march-tolerance: all
+	@tools/deps.sh --missing figures
+	tools/march_tolerance.sh $(BUILD)/magichour out/march-tolerance scenes/gallery
 
 # The scenes as static pages, for any web server: a quarter of an hour on two slow cores.
 site: all

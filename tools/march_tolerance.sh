@@ -2,11 +2,12 @@
 # What the tolerances of a march cost and what they leave: tools/march_tolerance.sh MAGICHOUR FOLDER CHARTS [TURNS]
 #
 # MARCH_PRECISION and MARCH_SLACK (glsl/shape/march_*.glsl) are multiplied, one at a time, in copies of the library. The scenes are csg,
-# gyroid and knot, and a ball whose exact shape is known. Pictures with the same random numbers are compared: with the finest tolerance of
-# the same kind, and the ball's with that of the exact shape. `--depth 1` keeps the difference of a path from growing with its bounces.
+# gyroid and knot, and two whose exact shapes are known: a ball, and wires of 0.4 mm behind each other, 4 m away (tests/test_wires.c). Pictures
+# with the same random numbers are compared: those of the ball and the wires with the exact shapes, the others with the finest tolerance of the same
+# kind. `--depth 1` keeps the difference of a path from growing with its bounces.
 # CHARTS gets march-tolerance.png and march-tolerance.csv, with a row for each tolerance and scene:
 #   steps            of a ray, on average
-#   time             processor time of 72 samples, as a multiple of that with the library's own tolerance: the median of TURNS (5) turns
+#   time             processor time of 192 samples at all depths, as a multiple of that with the library's own tolerance: the median of TURNS (3) turns
 #   relrmse_percent  of the picture at --depth 1
 #   share_percent    of its values that differ by more than a ten-thousandth
 #   levels           RMS difference of the picture as it is shown, of 255
@@ -15,12 +16,12 @@
 set -eu
 export LC_ALL=C
 case $# in [34]) ;; *) sed -n '2,/^set/s/^# \{0,1\}//p' "$0" | sed '$d' >&2; exit 2 ;; esac
-magichour=$1 folder=$2 charts=$3 turns=${4:-5}
+magichour=$1 folder=$2 charts=$3 turns=${4:-3}
 tools=$(dirname "$0")
 root=$tools/..
 # shellcheck source=tools/measure.sh
 . "$tools/measure.sh"
-scenes="csg gyroid knot ball"
+scenes="csg gyroid knot ball wires"
 mkdir -p "$folder" "$charts"
 
 # A line for each tolerance: which one, and what it is multiplied by. The first of each is the finest.
@@ -38,13 +39,14 @@ make_library() {
     library=$folder/glsl-$1-$2
     rm -rf "$library"
     cp -R "$root/glsl" "$library"
-    awk -v constant=$constant -v factor="$2" '
+    awk -v constant="$constant" -v factor="$2" '
         $3 == constant && $4 == "=" { sub(/= .*;/, sprintf("= %.3e;", factor * $5)); found = 1 }
         { print }
         END { exit !found }' "$root/glsl/$file" >"$library/$file"
 }
 
-write_ball() {
+# Scenes whose exact shapes are known, each marched and exact.
+write_scenes() {
     cat >"$folder/ball.glsl" <<'SCENE'
 //@ camera eye 0 2 -4  target 0 0.9 0  fov 40
 #include "color/checker.glsl"
@@ -65,7 +67,31 @@ Material scene_material(Hit hit) {
     return matte(checker(hit.position, vec3(0.7), vec3(0.3)));
 }
 SCENE
-    sed 's/  march(/  hit_sphere(/' "$folder/ball.glsl" >"$folder/exact.glsl"
+    sed 's/ march(/ hit_sphere(/' "$folder/ball.glsl" >"$folder/ball-exact.glsl"
+    cat >"$folder/wires.glsl" <<'SCENE'
+//@ camera eye 0 -0.3 -4  target 0 0 0  fov 0.08
+#include "distance/capsule.glsl"
+#include "material/matte.glsl"
+#include "shape/capsule.glsl"
+#include "shape/march.glsl"
+const float RADIUS = 0.2e-3;
+vec3 at(int i, float y) {
+    return RADIUS * vec3(8.0 * float(i % 3 - 1) + 1.7 * float(i / 3), y / RADIUS, 9.0 * float(i / 3 - 1));
+}
+float scene_distance(vec3 p) {
+    float d = INFINITY;
+    for (int i = 0; i < 9; i++) d = min(d, distance_capsule(p, at(i, -0.5), at(i, 0.5), RADIUS));
+    return d;
+}
+void scene_intersect(Ray ray, INOUT(Hit) hit) {
+    march(ray, 1, hit);
+}
+Material scene_material(Hit hit) {
+    return matte(vec3(0.3));
+}
+SCENE
+    sed 's/ march(.*/ for (int i = 0; i < 9; i++) hit_capsule(ray, at(i, -0.5), at(i, 0.5), RADIUS, 1, hit);/' "$folder/wires.glsl" \
+        >"$folder/wires-exact.glsl"
 }
 
 file_of() {
@@ -89,10 +115,10 @@ share() {
         END { printf "%.4f", 100 * n / NR }'
 }
 
-# Seconds of 72 samples without the time to start.
+# Seconds of 192 samples without the time to start.
 march_seconds() {
-    few=$(render timed "$1" "$2" --depth 1 --sky uniform --spp 8)
-    many=$(render timed "$1" "$2" --depth 1 --sky uniform --spp 80)
+    few=$(render timed "$1" "$2" --sky uniform --spp 8)
+    many=$(render timed "$1" "$2" --sky uniform --spp 200)
     echo "$few $many" | awk '{ print $2 - $1 }'
 }
 
@@ -113,8 +139,8 @@ row() {
     "$magichour" compare "$picture-deep.pfm" "$folder/$4-deep.pfm" --json >"$folder/bias"
     steps=$(awk -v steps="$(json_number search_steps "$picture.json")" -v rays="$(json_number search_rays "$picture.json")" \
         'BEGIN { printf "%.2f", steps / rays }')
-    echo "$1,$2,$3,$steps,$(relative_time "$1" "$2" "$3"),$(json_number relRMSE "$folder/error"),$(share "$picture.pfm" "$folder/$4.pfm"),$(
-        json_number levels_RMS "$folder/error"),$(largest_bias "$folder/bias")"
+    printf '%s,%s,%s,%s,%s,%.4g,%s,%.4g,%s\n' "$1" "$2" "$3" "$steps" "$(relative_time "$1" "$2" "$3")" "$(json_number relRMSE "$folder/error")" \
+        "$(share "$picture.pfm" "$folder/$4.pfm")" "$(json_number levels_RMS "$folder/error")" "$(largest_bias "$folder/bias")"
 }
 
 # The pictures whose errors are measured, at one hit and at all depths: draw NAME SCENE LIBRARY
@@ -123,8 +149,8 @@ draw() {
     render "$1-deep" "$2" "$3" --sky gauss:4 --spp 64 >"$folder/seconds"
 }
 
-write_ball
-draw exact exact "$root/glsl"
+write_scenes
+for scene in ball wires; do draw "$scene-exact" "$scene-exact" "$root/glsl"; done
 tolerances | while read -r kind factor; do
     make_library "$kind" "$factor"
     for scene in $scenes; do draw "$scene-$kind-$factor" "$scene" "$folder/glsl-$kind-$factor"; done
@@ -145,7 +171,7 @@ done >"$folder/times"
     tolerances | while read -r kind factor; do
         for scene in $scenes; do
             truth=$scene-$kind-$(tolerances | awk -v kind="$kind" '$1 == kind { print $2; exit }')
-            [ "$scene" != ball ] || truth=exact
+            [ ! -f "$folder/$scene-exact.pfm" ] || truth=$scene-exact
             row "$kind" "$factor" "$scene" "$truth"
         done
     done
