@@ -5,6 +5,7 @@
 #include "export/whole_numbers.h"
 
 #include "source/glsl_blocks.h"
+#include "source/glsl_tokens.h"
 
 #include <ctype.h>
 #include <string.h>
@@ -60,14 +61,11 @@ static void write_line(const char *line, size_t length, Text *out) {
 /* Each comment becomes a blank; lines stay. */
 static void write_code(const char *text, Text *code) {
     for (const char *c = text; *c;) {
-        const char *end = strncmp(c, "//", 2) == 0   ? c + strcspn(c, "\n")
-                          : strncmp(c, "/*", 2) == 0 ? strstr(c + 2, "*/")
-                                                     : NULL;
-        if (strncmp(c, "/*", 2) == 0) end = end ? end + 2 : c + strlen(c);
-        text_append(code, end ? " " : c, 1);
-        for (const char *in = c; end && in < end; in++)
+        const char *end = glsl_comment_end(c);
+        text_append(code, end > c ? " " : c, 1);
+        for (const char *in = c; in < end; in++)
             if (*in == '\n') text_append(code, in, 1);
-        c = end ? end : c + 1;
+        c = end > c ? end : c + 1;
     }
 }
 

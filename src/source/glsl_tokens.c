@@ -31,16 +31,20 @@ static void add(Reader *reader, GlslTokenKind kind, const char *at, size_t size)
                                                 .directive = reader->directive};
 }
 
-/* Behind a comment or a continued line's end; `at` itself where there is neither. */
-static const char *skip_comment(const char *at) {
+const char *glsl_comment_end(const char *at) {
     if (at[0] == '/' && at[1] == '/') return at + strcspn(at, "\n");
     if (at[0] == '/' && at[1] == '*') {
         const char *end = strstr(at + 2, "*/");
         return end ? end + 2 : at + strlen(at);
     }
+    return at;
+}
+
+/* Behind a comment or a continued line's end; `at` itself where there is neither. */
+static const char *skip_comment(const char *at) {
     if (at[0] == '\\' && at[1] == '\n') return at + 2;
     if (at[0] == '\\' && at[1] == '\r' && at[2] == '\n') return at + 3;
-    return at;
+    return glsl_comment_end(at);
 }
 
 /* A number with what may belong to it: 1e-3, 0x1Fu, .5, 1.f. */

@@ -31,6 +31,10 @@ typedef struct GlslTokens {
 GlslTokens glsl_tokens(const char *text);
 void glsl_tokens_free(GlslTokens *tokens);
 
+/* Behind the comment that begins at `at`, before the line's end after two slashes; `at` itself where none
+ * begins. */
+const char *glsl_comment_end(const char *at);
+
 /* Whether token `i` is this word or sign. There is none past the ends. */
 bool glsl_token_is(const GlslTokens *tokens, int i, const char *word);
 
