@@ -152,7 +152,7 @@ finish
 # Operators have longer names.
 width=112
 per_row=7
-begin distance-operators boolean smooth offset move elongate repeat repeat_polar repeat_random mirror smooth_kinds join deform section \
+begin distance-operators boolean smooth offset move elongate repeat repeat_polar repeat_random mirror smooth_kinds join deform noise section \
     polygon box sphere cylinder torus cone plane octahedron rounded_box
 two union ""
 two intersection ""
@@ -200,6 +200,9 @@ operator twist "return distance_box(op_twist(p, 1.5), vec3(0.0, 0.6, 0.0), vec3(
 operator bend "vec3 q = op_translate(p, vec3(0.0, 0.25, 0.0)); return distance_box(op_bend(q, 1.2), vec3(0.0), vec3(0.75, 0.12, 0.3)) / op_bend_steepness(1.2, 1.25);"
 operator taper "return distance_box(op_taper(p, 0.0, 1.0, 0.4), vec3(0.0, 0.5, 0.0), vec3(0.5)) / op_taper_steepness(0.0, 1.0, 0.4, 1.0);"
 operator displace "return op_displace(distance_sphere(p, vec3(0.0, 0.55, 0.0), 0.5), 0.05 * sin(12.0 * p.x) * sin(12.0 * p.y) * sin(12.0 * p.z), 0.6);"
+operator noise "return op_noise(distance_sphere(p, vec3(0.0, 0.5, 0.0), 0.45), p, 0.25, 0.2);"
+operator noise_octaves "return op_noise_octaves(distance_sphere(p, vec3(0.0, 0.5, 0.0), 0.45), p, 0.25, 0.4, 4);"
+operator warp "return distance_box(op_warp(p, 0.1, 0.35), vec3(0.0, 0.5, 0.0), vec3(0.5, 0.4, 0.5)) / op_warp_steepness(0.1, 0.35);"
 operator extrude "return op_extrude(distance_star(flat_p, vec2(0.0), 0.6, 0.27, 5.0), p.z, 0.3);"
 operator revolve "return distance_star(op_revolve(p, vec3(0.0, 0.3, 0.0), vec3(0.0, 1.0, 0.0)), vec2(0.42, 0.0), 0.28, 0.12, 5.0);"
 finish
