@@ -16,6 +16,7 @@ ORACLE_CASE(crater_paper);
 ORACLE_CASE(crater_uniform);
 ORACLE_CASE(distance);
 ORACLE_CASE(distance_more);
+ORACLE_CASE(distance_noise);
 ORACLE_CASE(emission);
 ORACLE_CASE(rectangle);
 ORACLE_CASE(gauss);
@@ -362,6 +363,20 @@ static void set_air_rays(void) {
         a[3] = (float)random_unit();
         for (int c = 1; c < 4; c++) b[c] = (float)random_unit();
     }
+}
+
+static void test_distance_noise(void **state) {
+    static const OracleQuantity quantities[] = {
+        {"noise", .result = 0, NEAR},        {"octaves", .result = 1, NEAR}, {"warp", .result = 2, NEAR},
+        {"lines", .result = 3, NEAR},        {"polygon", .result = 4, NEAR}, {"glyphs", .result = 5, NEAR},
+        {"noise vector", .result = 6, NEAR},
+    };
+    start(state);
+    for (int i = 0; i < ORACLE_ITEMS; i++) {
+        for (int c = 0; c < 3; c++) inputs[8 * i + c] = (float)((i % 2 ? 1.2 : 5) * (2 * random_unit() - 1));
+    }
+    oracle_compare(&context, ORACLE(distance_noise), inputs, quantities, COUNT(quantities));
+    context_close(&context);
 }
 
 static void test_air(void **state) {
@@ -749,14 +764,14 @@ int main(void) {
         cmocka_unit_test(test_paper),         cmocka_unit_test(test_gauss),
         cmocka_unit_test(test_shape),         cmocka_unit_test(test_solids),
         cmocka_unit_test(test_march),         cmocka_unit_test(test_distance),
-        cmocka_unit_test(test_distance_more), cmocka_unit_test(test_air),
-        cmocka_unit_test(test_air_depth),     cmocka_unit_test(test_mist),
-        cmocka_unit_test(test_mist_depth),    cmocka_unit_test(test_lobes),
-        cmocka_unit_test(test_mirror_sphere), cmocka_unit_test(test_sequences),
-        cmocka_unit_test(test_chain_step),    cmocka_unit_test(test_checker),
-        cmocka_unit_test(test_material),      cmocka_unit_test(test_spheres),
-        cmocka_unit_test(test_emission),      cmocka_unit_test(test_rectangle),
-        cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_distance_more), cmocka_unit_test(test_distance_noise),
+        cmocka_unit_test(test_air),           cmocka_unit_test(test_air_depth),
+        cmocka_unit_test(test_mist),          cmocka_unit_test(test_mist_depth),
+        cmocka_unit_test(test_lobes),         cmocka_unit_test(test_mirror_sphere),
+        cmocka_unit_test(test_sequences),     cmocka_unit_test(test_chain_step),
+        cmocka_unit_test(test_checker),       cmocka_unit_test(test_material),
+        cmocka_unit_test(test_spheres),       cmocka_unit_test(test_emission),
+        cmocka_unit_test(test_rectangle),     cmocka_unit_test(test_paths),
     };
     return cmocka_run_group_tests_name("oracle", tests, support_folder, support_clean);
 }

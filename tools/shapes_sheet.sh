@@ -127,7 +127,7 @@ operator apollonian "vec3 q = op_translate(p, vec3(0.0, 0.55, 0.0));
 draw hills 0 "return (p.y - 0.5 * hills(2.0 * vec2(p.x, p.z))) / length(vec2(1.0, HILLS_SLOPE));"
 finish
 
-begin distance-figures section offset round ellipse rectangle polygon quadrilateral segment bezier
+begin distance-figures section offset round ellipse rectangle polygon quadrilateral segment bezier polyline glyph
 figure circle "vec2(0.0), 0.55"
 figure ring "vec2(0.0), 0.45, 0.2"
 figure arc "vec2(0.0), 0.45, 2.2, 0.2"
@@ -147,6 +147,13 @@ figure trapezoid "vec2(0.0), 0.6, 0.3, 0.4"
 figure parallelogram "vec2(0.0), vec2(0.45, 0.4), 0.2"
 line segment "vec2(-0.5, -0.4), vec2(0.5, 0.4)"
 line quadratic_bezier "vec2(-0.5, -0.4), vec2(0.1, 1.2), vec2(0.5, -0.3)"
+operator polygon "Polyline line = polyline_start(flat_p, vec2(-0.55, -0.5)); polyline_to(line, vec2(0.55, -0.5)); polyline_to(line, vec2(0.55, 0.1));
+    polyline_to(line, vec2(0.2, 0.1)); polyline_to(line, vec2(0.0, 0.55)); polyline_to(line, vec2(-0.2, 0.1)); polyline_to(line, vec2(-0.55, 0.1));
+    return op_extrude(distance_polygon(line), p.z, 0.15);"
+operator polyline "Polyline line = polyline_start(p, vec3(-0.6, 0.15, 0.2)); polyline_to(line, vec3(-0.3, 1.0, 0.0)); polyline_to(line, vec3(0.0, 0.2, -0.2));
+    polyline_to(line, vec3(0.3, 1.0, -0.2)); polyline_to(line, vec3(0.6, 0.15, 0.3)); return op_round(distance_polyline(line), 0.08);"
+operator glyph "float a = distance_glyph(flat_p, vec2(-0.6, -0.4), 0.8, 71); float b = distance_glyph(flat_p, vec2(-0.6 + 0.8 * GLYPH_ADVANCE, -0.4), 0.8, 76);
+    return op_extrude(op_round(min(a, b), 0.07), p.z, 0.15);"
 finish
 
 # Operators have longer names.
