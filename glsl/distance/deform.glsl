@@ -47,3 +47,8 @@ float op_taper_steepness(float low, float high, float factor, float radius) {
 float op_displace(float d, float height, float slope) {
     return (d - height) / (1.0 + slope);
 }
+
+// The same by a height from 0 to `most`. The surface stays between those that are not raised and raised by `most`, so steps far from it need no slope.
+float op_displace_within(float d, float height, float slope, float most) {
+    return max(d - most, min(op_displace(d, height, slope), d));
+}

@@ -16,11 +16,6 @@ float noise_octaves_slope(int octaves) {
     return max(NOISE_SLOPE, 1.67 * float(octaves)) / (2.0 - exp2(1.0 - float(octaves)));
 }
 
-// op_displace() by a height from 0 to `most`. Away from the surface the distance from what the displaced surface stays between is often more.
-float op_displace_within(float d, float height, float slope, float most) {
-    return max(d - most, min(op_displace(d, height, slope), d));
-}
-
 // Raises a surface at the point p by noise(), 0 to `height` metres high. The result changes by at most one metre a metre, but is less than the distance.
 float op_noise(float d, vec3 p, float height, float spacing) {
     return op_displace_within(d, height * noise(p / spacing), height * NOISE_SLOPE / spacing, height);
