@@ -1,6 +1,7 @@
 /* Noise as an operator on distances: its slope is what a search over all places and all corner values finds,
  * no sample is steeper, no face of a cell is a seam, and surfaces and points are moved as far as they say.
  */
+#include "random.h"
 #include "support.h"
 
 #include <math.h>
@@ -10,13 +11,7 @@
 enum { SIDE = 512, ITEMS = SIDE * SIDE };
 
 static float inputs[4 * ITEMS], results[4 * ITEMS];
-static unsigned random_state;
 static Context context;
-
-static double random_unit(void) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return (random_state >> 8) / 16777216.0;
-}
 
 /* The largest slope along `way`, of unit length, at the place `f` in a cell, whatever the values of its
  * corners are: those of which a larger value makes it steeper are 1, and the others 0. */
