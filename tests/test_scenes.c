@@ -263,10 +263,10 @@ static void test_furnace(void **state) {
     for (int i = 0; i < scenes; i++) {
         Text end = {0};
         /* Rooms glow: what emits a half and reflects a half is 1 too, however few paths get out. In a box all
-         * hits are from within. Paths stay in a sponge's holes for long, too: one that gets out after 140
-         * hits counts a thousand times. */
+         * hits are from within. Paths stay in the holes of a sponge or a gasket for long, too: one that gets
+         * out after 140 hits counts a thousand times. */
         bool room = is(paths[i], "house") || is(paths[i], "author-room") || is(paths[i], "box-room") ||
-                    is(paths[i], "shafts") || is(paths[i], "menger");
+                    is(paths[i], "shafts") || is(paths[i], "menger") || is(paths[i], "apollonian");
         text_print(&end, "bool two_sided(Hit hit) { return %s; }\n%s",
                    is(paths[i], "shapes")     ? "hit.object == DISK"
                    : is(paths[i], "box-room") ? "hit.object == WALLS"
