@@ -44,6 +44,6 @@ Material scene_material(Hit hit) {
     if (hit.object == GROUND) return matte(vec3(0.45));
     vec4 trap = vec4(0.0);
     distance_mandelbulb(bulb_place(hit.position), floor(power + 0.5), int(iterations + 0.5), trap);
-    vec3 color = mix(vec3(0.55, 0.16, 0.1), vec3(0.85, 0.72, 0.45), clamp(3.0 * sqrt(trap.w) - 1.6, 0.0, 1.0));
+    vec3 color = mix(vec3(0.6, 0.15, 0.08), vec3(0.85, 0.62, 0.3), clamp(3.0 * sqrt(trap.w) - 2.0, 0.0, 1.0));
     return matte(mix(vec3(0.2, 0.35, 0.5), color, clamp(8.0 * trap.y, 0.0, 1.0)));
 }
