@@ -1,5 +1,5 @@
 # What the READMEs show and claim, made anew: pictures, charts and measurements. Included by the Makefile.
-.PHONY: gallery atlas atlas-light references honesty bias-scan sheets shapes skies charts points march-tolerance site view check-view measure-view
+.PHONY: gallery atlas atlas-light references honesty bias-scan sheets shapes skies charts points march-tolerance march-peer site view check-view measure-view
 
 # The README's pictures.
 gallery: all
@@ -15,6 +15,11 @@ atlas: all
 atlas-light: all
 	@tools/deps.sh --missing figures
 	tools/atlas_light.sh $(BUILD)/magichour out/atlas_light scenes/gallery
+
+# march() beside a plain sphere tracer: a quarter of an hour of one core.
+march-peer: all
+	@tools/deps.sh --missing figures
+	tools/march_peer.sh $(BUILD)/magichour out/march_peer scenes/gallery
 
 # What the study of honesty compares with: three quarters of an hour.
 references: all

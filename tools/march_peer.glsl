@@ -5,13 +5,13 @@
 // shape/march.glsl, and writes other values of these three constants into it.
 float scene_distance(vec3 p);
 
-// A ray has met the surface where the field is less than this share of the ray's length: 10 to the power of Fragmentarium's `Detail`.
+// A ray has met the surface where the field is less than this share of the ray's length: 10 to the power of `Detail`, which is -2.3 by default.
 const float PLAIN_DETAIL = 1.0e-3;
 // Each step is the field times this: `FudgeFactor`.
 const float PLAIN_FUDGE = 1.0;
 // The step of the differences that give the normal, in metres. 0 stands for half the threshold, which is Fragmentarium's choice.
 const float PLAIN_NORMAL_STEP = 0.0;
-// `MaxRaySteps`. This is the most that Fragmentarium's slider allows.
+// `MaxRaySteps`, of which Fragmentarium takes 56 by default. Here the steps end no ray.
 const int PLAIN_STEPS = 2000;
 
 vec3 plain_gradient(vec3 p, float h) {
