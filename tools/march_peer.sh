@@ -36,6 +36,15 @@ tight 0.0 -
 fine 1.0e-6 0.7
 END
 
+# Edits a file of the library's copy, and fails if there is nothing to edit: edit FILE EXPRESSION
+edit() {
+    sed "$2" "$root/glsl/shape/$1" >"$library/shape/$1"
+    ! cmp -s "$root/glsl/shape/$1" "$library/shape/$1" || {
+        echo "march-peer: nothing to edit in $1" >&2
+        exit 1
+    }
+}
+
 # A copy of the library that marches in this way: library_of KIND DETAIL FUDGE
 library_of() {
     library=$folder/library-$1-$2-$3
@@ -53,10 +62,9 @@ library_of() {
         ;;
     esac
     [ "$1" = tight ] || return 0
-    sed 's/MARCH_PRECISION = [^;]*/MARCH_PRECISION = 2.0e-7/' "$root/glsl/shape/march_field.glsl" >"$library/shape/march_field.glsl"
+    edit march_field.glsl 's/MARCH_PRECISION = [^;]*/MARCH_PRECISION = 2.0e-7/'
     # The error of central differences is taken away to the second order.
-    sed 's|vec3 gradient = march_gradient(p, \(.*\));|float h = \1; vec3 gradient = (4.0 * march_gradient(p, 0.5 * h) - march_gradient(p, h)) / 3.0;|' \
-        "$root/glsl/shape/march.glsl" >"$library/shape/march.glsl"
+    edit march.glsl 's|vec3 gradient = march_gradient(p, \(.*\));|float h = \1; vec3 gradient = (4.0 * march_gradient(p, 0.5 * h) - march_gradient(p, h)) / 3.0;|'
 }
 
 # Renders and prints the process's CPU seconds: cpu_seconds PICTURE OPTION...
