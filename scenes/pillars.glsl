@@ -44,7 +44,8 @@ float scene_distance(vec3 p) {
 
 void scene_intersect(Ray ray, INOUT(Hit) hit) {
     hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, GROUND, hit);
-    float reach = length(vec3(2.0 * spacing + 0.6, 0.5 * height + 0.1, 2.5 * spacing + 0.6));
+    float slab = 1.3 * radius + 0.02;
+    vec3 reach = vec3(2.0 * spacing + slab, 0.5 * height + 0.08, 2.5 * spacing + slab);
     march(ray, vec3(0.0, 0.5 * height, 0.0), reach, PILLAR, hit);
 }
 

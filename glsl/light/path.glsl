@@ -9,18 +9,23 @@
 #include "light/roulette.glsl"
 #include "light/stretch.glsl"
 #include "light/walk.glsl"
+#include "shape/ray_kind.glsl"
 #include "sun/ask.glsl"
 
 // Radiance that comes back along `ray`, with at most `max_hits` surface hits.
 vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
-    Path path = Path(ray, vec3(1.0), vec3(0.0), 0, sun_start(), 1.0, vec3(1.0), false);
+    Path path = Path(ray, vec3(1.0), vec3(0.0), 0, sun_start(), 1.0, vec3(1.0), false, 0.0, -1);
     PathMemory memory = path_start();
     // Drawn while the path is alive and used in the next turn: llvmpipe may compute what stands at a loop's top once more for paths that have ended.
     vec2 w = mist_here() ? sequence_pair(sequence) : vec2(0.0);
     mist_begin(w);
     bool alive = true;
     do {
+        ray_spread = path.spread;
+        ray_leaves = path.leaves;
         Stretch stretch = stretch_of(path, w);
+        ray_spread = 0.0;
+        ray_leaves = -1;
         Hit hit = stretch.hit;
         path.escaped = hit.t >= INFINITY;
         path.weight = stretch.weight;
@@ -53,6 +58,9 @@ vec3 path_radiance(Ray ray, int max_hits, INOUT(Sequence) sequence) {
             path.lamp_share = emission_share(hit, bounce);
             path.throughput *= bounce.weight;
             path.ray = ray_from(hit, bounce.direction);
+            path.spread = path_spread(path.spread, bounce.pdf);
+            bool outer = !hit.inside && !stretch.in_mist && dot(bounce.direction, hit.normal) > 0.0;
+            path.leaves = outer ? hit.object : -1;
             path.hits += 1;
             float survival = roulette_survival(path.throughput, path.hits);
             alive = !(v.y >= survival);

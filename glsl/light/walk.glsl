@@ -20,7 +20,18 @@ struct Path {
     vec3 weight;
     // Whether the last ray left the scene.
     bool escaped;
+    // What the next ray's searches are told: see shape/ray_kind.glsl.
+    float spread;
+    int leaves;
 };
+
+// The spread of a path's rays after a bounce of this density, 1/sr. A cone of the half angle a covers about pi a^2. A mirror, of density 0, leaves the
+// spread as it is.
+float path_spread(float spread, float pdf) {
+    float wide = min(inversesqrt(PI * max(pdf, 1.0e-20)), 1.0);
+    float wider = max(spread, wide);
+    return pdf > 0.0 ? wider : spread;
+}
 
 // A method defines `struct PathMemory`, which holds what it remembers from hit to hit, and five functions about it:
 //

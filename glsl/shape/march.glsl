@@ -1,4 +1,5 @@
 #include "scene.glsl"
+#include "shape/interval.glsl"
 #include "shape/march_careful.glsl"
 #include "shape/march_quick.glsl"
 #include "shape/search.glsl"
@@ -33,7 +34,11 @@ void march_between(Ray ray, float start, float end, float size, int object, INOU
     March march = march_careful(ray, march_quick(ray, start, last, size), start, last, size);
     search_rays += 1;
     search_steps += march.steps;
-    float t = march.found;
+    // At an edge, the normal is blended of those of both sides, so that a bounce may be turned into the solid. The edge's other side is there at once.
+    bool blocked = march.side < 0.0 && object == ray_leaves;
+    float here = MARCH_PRECISION * (max(march_size(ray.origin), size) + start);
+    float side = blocked ? 1.0 : march.side;
+    float t = blocked ? here : march.found;
     if (t < INFINITY) {
         vec3 p = ray.origin + t * ray.direction;
         float near = max(march_size(p), size);
@@ -43,13 +48,13 @@ void march_between(Ray ray, float start, float end, float size, int object, INOU
         // The distance that is left to the surface, by the field's slope along the ray. It is long where the ray grazes the surface.
         float slope = dot(gradient, ray.direction);
         float reach = 64.0 * MARCH_PRECISION * (near + t);
-        float rest = abs(slope) > 1.0e-4 ? clamp(-march.field / slope, -reach, reach) : 0.0;
+        float rest = abs(slope) > 1.0e-4 && !blocked ? clamp(-march.field / slope, -reach, reach) : 0.0;
         hit.t = max(t + rest, 0.5 * t);
         vec3 normal = steepness > 0.0 ? gradient / steepness : -ray.direction;
         // On an edge the differences blend the normals of two sides. If the result faces away from the ray's origin, it is turned until the ray
         // grazes the surface; otherwise the path would go on within the solid.
-        float facing = march.side * dot(normal, ray.direction);
-        hit.normal = facing < 0.0 ? normal : normalize(normal - march.side * (facing + 1.0e-3) * ray.direction);
+        float facing = side * dot(normal, ray.direction);
+        hit.normal = facing < 0.0 ? normal : normalize(normal - side * (facing + 1.0e-3) * ray.direction);
         hit.object = object;
     }
 }
@@ -71,4 +76,20 @@ void march(Ray ray, vec3 centre, float radius, int object, INOUT(Hit) hit) {
         float size = max(march_size(centre), radius);
         march_between(ray, max(middle - half_chord, 0.0), middle + half_chord, size, object, hit);
     }
+}
+
+// Marches only inside a box along the axes, with the distances `half_size` from its centre to its faces, which must contain all of the surface. Rays that
+// miss the box cost nothing. A box is often much smaller than a sphere about the same surface.
+void march(Ray ray, vec3 centre, vec3 half_size, int object, INOUT(Hit) hit) {
+    vec3 to_centre = centre - ray.origin;
+    float middle = dot(to_centre, ray.direction);
+    vec3 near = middle * ray.direction - to_centre;
+    // As the sphere, the box is a little larger than given.
+    vec3 reach = half_size + 5.0e-4 * march_size(half_size);
+    Interval x = interval_slab(near.x, ray.direction.x, reach.x, vec3(1.0, 0.0, 0.0));
+    Interval y = interval_slab(near.y, ray.direction.y, reach.y, vec3(0.0, 1.0, 0.0));
+    Interval z = interval_slab(near.z, ray.direction.z, reach.z, vec3(0.0, 0.0, 1.0));
+    float start = max(middle + max(max(x.enter, y.enter), z.enter), 0.0);
+    float end = middle + min(min(x.leave, y.leave), z.leave);
+    if (start < end) march_between(ray, start, end, max(march_size(centre), march_size(half_size)), object, hit);
 }

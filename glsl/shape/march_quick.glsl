@@ -1,10 +1,14 @@
 #include "shape/march_field.glsl"
+#include "shape/ray_kind.glsl"
 
 // The first steps of a march, which are all that most rays need.
 const int MARCH_QUICK = 128;
 // How wide a gap between two empty balls may be, as a share of the coordinates and the distance. Near a surface, a gap lets the ray reach it in one
 // step. What is thinner may be missed where a ray only grazes it.
 const float MARCH_SLACK = 3.0e-5;
+// How many times as wide the gap may be for a ray after a bounce in all directions. Such a ray's light is one part of an average over the whole
+// sky, where a single ray that passes a wire's outline does not show.
+const float MARCH_WIDE = 10.0;
 
 // Marches by a loop without branches, because graphics hardware and llvmpipe execute both sides of a branch. The steps are those of
 // march_careful(), and two more: a step to where the field would be 0 if it went on falling as it did, and a step back to that place from beyond a surface.
@@ -14,6 +18,7 @@ March march_quick(Ray ray, float start, float end, float size) {
     float value = 0.0;
     float side = 0.0;
     float step = 0.0;
+    float gap = MARCH_SLACK * mix(1.0, MARCH_WIDE, ray_spread);
     bool hit = false;
     bool quick = start < end;
     int steps = 0;
@@ -24,7 +29,7 @@ March march_quick(Ray ray, float start, float end, float size) {
         vec3 p = ray.origin + next * ray.direction;
         float scale = max(march_size(p), size) + next;
         float tolerance = MARCH_PRECISION * scale;
-        float slack = MARCH_SLACK * scale;
+        float slack = gap * scale;
         float field = scene_distance(p);
         bool started = side != 0.0;
         float sign_here = field < 0.0 ? -1.0 : 1.0;
