@@ -51,6 +51,7 @@ float scene_distance(vec3 p) {
 void scene_intersect(Ray ray, INOUT(Hit) hit) {
     hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, GROUND, hit);
     vec3 reach = vec3(1.3 + wall, 0.5 * HIGH, 0.5 * COUNT * spacing);
+    march_thinnest = min(wall, 0.1);
     march(ray, vec3(0.0, 0.5 * HIGH, 0.0), reach, ARCADE, hit);
 }
 

@@ -60,6 +60,7 @@ float scene_distance(vec3 p) {
 
 void scene_intersect(Ray ray, INOUT(Hit) hit) {
     hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, GROUND, hit);
+    march_thinnest = thickness;
     march(ray, vec3(0.0, 0.65, 0.0), vec3(2.35, 0.65, 2.35), SOLID, hit);
 }
 

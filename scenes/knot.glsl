@@ -47,6 +47,7 @@ float scene_distance(vec3 p) {
 
 void scene_intersect(Ray ray, INOUT(Hit) hit) {
     hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, GROUND, hit);
+    march_thinnest = tube;
     march(ray, CENTRE, vec3(MAJOR, 0.0, MAJOR) + MINOR + tube, KNOT, hit);
 }
 

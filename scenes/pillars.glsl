@@ -46,6 +46,7 @@ void scene_intersect(Ray ray, INOUT(Hit) hit) {
     hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, GROUND, hit);
     float slab = 1.3 * radius + 0.02;
     vec3 reach = vec3(2.0 * spacing + slab, 0.5 * height + 0.08, 2.5 * spacing + slab);
+    march_thinnest = min(radius, 0.1);
     march(ray, vec3(0.0, 0.5 * height, 0.0), reach, PILLAR, hit);
 }
 

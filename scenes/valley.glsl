@@ -57,6 +57,7 @@ float scene_distance(vec3 at) {
 
 void scene_intersect(Ray ray, INOUT(Hit) hit) {
     hit_plane(ray, vec3(0.0, 1.0, 0.0), 0.0, GROUND, hit);
+    march_thinnest = 0.3 * scale;
     march(ray, vec3(0.0, 0.0, 0.0), (FAR + 3.0) * scale, HILLS, hit);
 }
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # How fast two GLSL libraries march: tools/march_rates.sh MAGICHOUR BASE NEW [REPEATS [SCENES [OPTIONS]]]
 #
-# BASE and NEW are folders like glsl/. The rate is that of paths a second of processor time: the time of 80 samples less that of 8, so that
+# BASE and NEW are folders like glsl/. The scenes of each are those of the folder scenes/ beside it, or these here if there is none. The rate is that of paths a second of processor time: the time of 80 samples less that of 8, so that
 # what a picture takes before its first sample does not count. The libraries take turns, REPEATS (5) times, and the order of the two
 # changes each time. SCENES are names without .glsl, by default all whose surfaces are marched. OPTIONS are further ones of `render`, such
 # as "--depth 1".
@@ -18,10 +18,12 @@ magichour=$1 base=$2 new=$3 repeats=${4:-5} names=${5:-gyroid arches knot csg pi
 tools=$(dirname "$0")
 # shellcheck source=tools/measure.sh
 . "$tools/measure.sh"
-scenes=$tools/../scenes
+scenes_of() { [ -d "$1/../scenes" ] && echo "$1/../scenes" || echo "$tools/../scenes"; }
 command -v "$magichour" >/dev/null || fail "no program $magichour"
 for library in "$base" "$new"; do [ -f "$library/shape/march.glsl" ] || fail "no shape/march.glsl in $library"; done
-for name in $names; do [ -f "$scenes/$name.glsl" ] || fail "no scene $name"; done
+for name in $names; do
+    for library in "$base" "$new"; do [ -f "$(scenes_of "$library")/$name.glsl" ] || fail "no scene $name beside $library"; done
+done
 [ "$repeats" -gt 0 ] 2>/dev/null || fail "REPEATS is a number above 0, not $repeats"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -30,7 +32,7 @@ trap 'rm -rf "$work"' EXIT
 seconds() {
     # OPTIONS are words.
     # shellcheck disable=SC2086
-    cpu_seconds "$work/messages" "$magichour" render "$scenes/$2.glsl" --glsl-dir "$1" --size 256x192 --sky uniform --light cosine --spp "$3" \
+    cpu_seconds "$work/messages" "$magichour" render "$(scenes_of "$1")/$2.glsl" --glsl-dir "$1" --size 256x192 --sky uniform --light cosine --spp "$3" \
         $options --quiet -o "$4"
 }
 

@@ -21,6 +21,10 @@ const float MARCH_NORMAL_STEP = 2.44140625e-4;
 // A field that changes by more than this, in metres a metre, is no distance.
 const float MARCH_STEEP = 1.1;
 
+// The thinnest solid and the narrowest gap between solids, in metres; 0 is unknown. A scene that knows it may say so before it calls march(). Then the
+// rays of later bounces take longer steps, and no step is longer than the thinnest solid bears.
+float march_thinnest = 0.0;
+
 float march_size(vec3 p) {
     vec3 size = abs(p);
     return max(max(size.x, size.y), size.z);

@@ -6,9 +6,19 @@ const int MARCH_QUICK = 128;
 // How wide a gap between two empty balls may be, as a share of the coordinates and the distance. Near a surface, a gap lets the ray reach it in one
 // step. What is thinner may be missed where a ray only grazes it.
 const float MARCH_SLACK = 3.0e-5;
-// How many times as wide the gap may be for a ray after a bounce in all directions. Such a ray's light is one part of an average over the whole
-// sky, where a single ray that passes a wire's outline does not show.
-const float MARCH_WIDE = 10.0;
+// How many times as wide the gap may be for a ray after a bounce in all directions, in a scene that says how thin its solids are: the light of such
+// a ray is one part of an average over the whole sky, where a ray that passes an outline by less than a pixel's width does not show.
+const float MARCH_WIDE = 30.0;
+// In such a scene the gap is at most this share of the thinnest solid. Only rays that run through less than a tenth of it, along its outline, may then
+// miss it.
+const float MARCH_THINNEST_SHARE = 0.08;
+
+// How wide a gap may be, in metres, where the coordinates and the distance sum to `scale`.
+float march_slack(float scale) {
+    float safe = MARCH_SLACK * scale;
+    float known = min(safe * mix(1.0, MARCH_WIDE, ray_spread), MARCH_THINNEST_SHARE * march_thinnest);
+    return march_thinnest > 0.0 ? known : safe;
+}
 
 // Marches by a loop without branches, because graphics hardware and llvmpipe execute both sides of a branch. The steps are those of
 // march_careful(), and two more: a step to where the field would be 0 if it went on falling as it did, and a step back to that place from beyond a surface.
@@ -18,7 +28,6 @@ March march_quick(Ray ray, float start, float end, float size) {
     float value = 0.0;
     float side = 0.0;
     float step = 0.0;
-    float gap = MARCH_SLACK * mix(1.0, MARCH_WIDE, ray_spread);
     bool hit = false;
     bool quick = start < end;
     int steps = 0;
@@ -27,9 +36,9 @@ March march_quick(Ray ray, float start, float end, float size) {
         float next = min(t + step, end);
         float moved = next - t;
         vec3 p = ray.origin + next * ray.direction;
-        float scale = max(march_size(p), size) + next;
-        float tolerance = MARCH_PRECISION * scale;
-        float slack = gap * scale;
+        float coordinates = march_size(p);
+        float tolerance = MARCH_PRECISION * (max(coordinates, size) + next);
+        float slack = march_slack(coordinates + next);
         float field = scene_distance(p);
         bool started = side != 0.0;
         float sign_here = field < 0.0 ? -1.0 : 1.0;
