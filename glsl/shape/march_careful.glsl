@@ -73,7 +73,8 @@ March march_careful(Ray ray, March march, float start, float end, float size) {
                 leap *= 2.0;
                 step = leap * radius;
             } else if (bold) {
-                step = max(step, MARCH_THIN * (max(march_size(p), size) + t));
+                float late = float(steps) / float(MARCH_CAREFUL);
+                step = max(step, MARCH_THIN * late * late * (max(march_size(p), size) + t));
             }
             more = t + radius < end;
             step = beyond < INFINITY ? min(step, (bold ? 0.5 : 1.0) * (beyond - t)) : step;
