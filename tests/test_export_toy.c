@@ -24,7 +24,7 @@ static void test_scenes(void **state) {
         const char *name;
         size_t most;
     } bounds[] = {
-        {"crater.glsl", 40000}, {"gyroid.glsl", 40000}, {"materials.glsl", 40000}, {"valley.glsl", 43000}};
+        {"crater.glsl", 40000}, {"gyroid.glsl", 40000}, {"materials.glsl", 40000}, {"valley.glsl", 45000}};
     SceneList scenes = scene_list();
     const char *folder = support_path("scene");
     for (int i = 0; i < scenes.count; i++) {

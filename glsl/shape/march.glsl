@@ -1,5 +1,4 @@
 #include "scene.glsl"
-#include "shape/interval.glsl"
 #include "shape/march_careful.glsl"
 #include "shape/march_quick.glsl"
 #include "shape/search.glsl"
@@ -86,10 +85,11 @@ void march(Ray ray, vec3 centre, vec3 half_size, int object, INOUT(Hit) hit) {
     vec3 near = middle * ray.direction - to_centre;
     // As the sphere, the box is a little larger than given.
     vec3 reach = half_size + 5.0e-4 * march_size(half_size);
-    Interval x = interval_slab(near.x, ray.direction.x, reach.x, vec3(1.0, 0.0, 0.0));
-    Interval y = interval_slab(near.y, ray.direction.y, reach.y, vec3(0.0, 1.0, 0.0));
-    Interval z = interval_slab(near.z, ray.direction.z, reach.z, vec3(0.0, 0.0, 1.0));
-    float start = max(middle + max(max(x.enter, y.enter), z.enter), 0.0);
-    float end = middle + min(min(x.leave, y.leave), z.leave);
+    // Each axis counts along the ray. A ray that is parallel to two faces is taken to run between them.
+    vec3 inverse = 1.0 / max(abs(ray.direction), 1.0e-20);
+    vec3 enter = (-reach - sign(ray.direction) * near) * inverse;
+    vec3 leave = (reach - sign(ray.direction) * near) * inverse;
+    float start = max(middle + max(max(enter.x, enter.y), enter.z), 0.0);
+    float end = middle + min(min(leave.x, leave.y), leave.z);
     if (start < end) march_between(ray, start, end, max(march_size(centre), march_size(half_size)), object, hit);
 }
