@@ -14,6 +14,8 @@ export LC_ALL=C LP_NUM_THREADS=1
 magichour=$1 folder=$2 charts=$3
 tools=$(dirname "$0")
 root=$tools/..
+# shellcheck source=tools/measure.sh
+. "$tools/measure.sh"
 width=96 height=72 few=4 seeds="1 2 3 4"
 mkdir -p "$folder" "$charts"
 
@@ -67,14 +69,12 @@ library_of() {
     edit march.glsl 's|vec3 gradient = march_gradient(p, \(.*\));|float h = \1; vec3 gradient = (4.0 * march_gradient(p, 0.5 * h) - march_gradient(p, h)) / 3.0;|'
 }
 
-# Renders and prints the process's CPU seconds: cpu_seconds PICTURE OPTION...
-cpu_seconds() {
+# Renders and prints the processor's seconds: render_seconds PICTURE OPTION...
+render_seconds() {
     picture=$1
     shift
-    ("$magichour" render "$root/scenes/mandelbulb.glsl" --size ${width}x$height --sun 30 --sun-disk --light cosine --sky table:gauss:8 --orders 1 \
-        "$@" --quiet --progress json -o "$picture" 2>"$picture.json"
-        times >"$folder/times")
-    awk -F '[ms ]+' 'NR == 2 { print 60 * $1 + $2 + 60 * $3 + $4 }' "$folder/times"
+    cpu_seconds "$picture.json" "$magichour" render "$root/scenes/mandelbulb.glsl" --size ${width}x$height --sun 30 --sun-disk --light cosine \
+        --sky table:gauss:8 --orders 1 "$@" --quiet --progress json -o "$picture"
 }
 
 # The samples of a picture at a depth.
@@ -88,8 +88,8 @@ for seed in $seeds; do for depth in 1 0; do
         name=$folder/$kind-$detail-$fudge-$depth-$seed
         [ ! -s "$name.seconds" ] || continue
         options="--glsl-dir $folder/library-$kind-$detail-$fudge --depth $depth --seed $seed"
-        start=$(cpu_seconds "$folder/few.pfm" $options --spp $few)
-        all=$(cpu_seconds "$name.pfm" $options --spp "$(samples_of $depth)")
+        start=$(render_seconds "$folder/few.pfm" $options --spp $few)
+        all=$(render_seconds "$name.pfm" $options --spp "$(samples_of $depth)")
         echo "$start $all" >"$name.seconds"
     done <"$folder/ways"
     echo "march-peer: seed $seed, depth $depth"
@@ -99,7 +99,7 @@ done; done
 values() {
     columns=
     for seed in $seeds; do
-        sed 1,3d "$folder/$1-$2-$3-$4-$seed.pfm" | od -A n -v -t f4 -w4 >"$folder/values.$seed"
+        pfm_values "$folder/$1-$2-$3-$4-$seed.pfm" >"$folder/values.$seed"
         columns="$columns $folder/values.$seed"
     done
     paste $columns

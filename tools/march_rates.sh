@@ -1,8 +1,8 @@
 #!/bin/sh
 # How fast two GLSL libraries march: tools/march_rates.sh MAGICHOUR BASE NEW [REPEATS [SCENES [OPTIONS]]]
 #
-# BASE and NEW are folders like glsl/. The scenes of each are those of the folder scenes/ beside it, or these here if there is none. The rate is that of paths a second of processor time: the time of 80 samples less that of 8, so that
-# what a picture takes before its first sample does not count. The libraries take turns, REPEATS (5) times, and the order of the two
+# BASE and NEW are folders like glsl/. The scenes of each are those of the folder scenes/ beside it, or these here if there is none. The rate is
+# that of paths a second of processor time: the time of 80 samples less that of 8, so that what a picture takes before its first sample does not count. The libraries take turns, REPEATS (5) times, and the order of the two
 # changes each time. SCENES are names without .glsl, by default all whose surfaces are marched. OPTIONS are further ones of `render`, such
 # as "--depth 1".
 # One row for each scene: NEW's rate as a multiple of BASE's in the median turn, in the least and in the most, and how the pictures of 80
