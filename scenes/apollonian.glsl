@@ -17,7 +17,7 @@
 #include "shape/plane.glsl"
 
 uniform float inversion;   //@ slider 1.3    min 1.1    max 1.5   label "the squared radius in which space is turned inside out"
-uniform float iterations;  //@ slider 6      min 1      max 12    label "how fine"
+uniform float iterations;  //@ slider 5      min 1      max 12    label "how fine"
 uniform float thickness;   //@ slider 0.006  min 0.002  max 0.03  label "of the spheres' skins"
 uniform float radius;      //@ slider 2.6    min 0.5    max 2.6   label "of the dome that cuts the gasket"
 

@@ -13,7 +13,7 @@ enum { SIDE = 64, RAYS = SIDE * SIDE };
 static float inputs[8 * RAYS], results[8 * RAYS];
 
 /* Rays from places 4 m away into nine upright wires of a metre, three behind three, each some thicknesses
- * from the next. The rays have this spread (glsl/shape/ray_kind.glsl), and the scene says that nothing is
+ * from the next. The rays have this spread (glsl/scene.glsl), and the scene says that nothing is
  * thinner than `known`. A ray passes close by some before it meets another, and its steps are longest as it
  * leaves one. The result is the share of rays that meet an exact wire and no marched one, or another one;
  * `extra` is the share that meet a marched one alone. */

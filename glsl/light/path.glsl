@@ -9,7 +9,6 @@
 #include "light/roulette.glsl"
 #include "light/stretch.glsl"
 #include "light/walk.glsl"
-#include "shape/ray_kind.glsl"
 #include "sun/ask.glsl"
 
 // Radiance that comes back along `ray`, with at most `max_hits` surface hits.

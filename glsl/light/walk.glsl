@@ -20,7 +20,7 @@ struct Path {
     vec3 weight;
     // Whether the last ray left the scene.
     bool escaped;
-    // What the next ray's searches are told: see shape/ray_kind.glsl.
+    // What the next ray's searches are told: see scene.glsl.
     float spread;
     int leaves;
 };

@@ -1,5 +1,4 @@
 #include "shape/march_field.glsl"
-#include "shape/ray_kind.glsl"
 
 // The first steps of a march, which are all that most rays need.
 const int MARCH_QUICK = 128;
