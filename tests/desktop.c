@@ -325,9 +325,11 @@ double desktop_settle(Desktop *desktop) {
     return 0;
 }
 
-/* Waits for a line with at least this frame, picture and samples, and at most this coarseness. */
-static bool await(Desktop *desktop, double frame, double picture, double coarseness, double samples) {
-    double got[4];
+/* Waits for a line with at least this frame, picture and samples, and at most this coarseness, of a window
+ * that rests, if that is asked for: one that the hand has just left draws its picture once more. */
+static bool await(Desktop *desktop, double frame, double picture, double coarseness, double samples,
+                  bool rests) {
+    double got[5];
     for (double end = clock_seconds() + patience_s; clock_seconds() < end; pause_ms(5)) {
         read_log(desktop);
         const char *line = text_string(&desktop->log) + desktop->news;
@@ -336,7 +338,8 @@ static bool await(Desktop *desktop, double frame, double picture, double coarsen
             if (number_in(line, length, "frame", &got[0]) && got[0] >= frame &&
                 number_in(line, length, "picture", &got[1]) && got[1] >= picture &&
                 number_in(line, length, "coarseness", &got[2]) && got[2] <= coarseness &&
-                number_in(line, length, "samples", &got[3]) && got[3] >= samples) {
+                number_in(line, length, "samples", &got[3]) && got[3] >= samples &&
+                number_in(line, length, "rests", &got[4]) && got[4] >= rests) {
                 return true;
             }
         }
@@ -345,12 +348,17 @@ static bool await(Desktop *desktop, double frame, double picture, double coarsen
 }
 
 void desktop_expect_samples(Desktop *desktop, double samples) {
-    if (!await(desktop, desktop_settle(desktop), 0, 1e300, samples)) show_end(desktop, "samples");
+    if (!await(desktop, desktop_settle(desktop), 0, 1e300, samples, false)) show_end(desktop, "samples");
 }
 
 void desktop_expect_rest(Desktop *desktop, double samples) {
-    if (!await(desktop, desktop_settle(desktop), desktop->picture + 1, 1, samples))
+    if (!await(desktop, desktop_settle(desktop), desktop->picture + 1, 1, samples, false))
         show_end(desktop, "a picture at rest");
+}
+
+void desktop_expect_done(Desktop *desktop, double samples) {
+    if (!await(desktop, desktop_settle(desktop), desktop->picture + 1, 1, samples, true))
+        show_end(desktop, "a picture that is done");
 }
 
 double desktop_number(Desktop *desktop, const char *name) {

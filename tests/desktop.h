@@ -63,6 +63,10 @@ void desktop_expect_samples(Desktop *desktop, double samples);
 /* Waits for a picture at rest with so many samples that began after what was done last. */
 void desktop_expect_rest(Desktop *desktop, double samples);
 
+/* The same in a window of so many samples (--spp), in which nothing is left to draw. A picture that the hand
+ * has just left is drawn once more, so that one with all samples may still begin again. */
+void desktop_expect_done(Desktop *desktop, double samples);
+
 /* The number of that name in the last frame, and the largest in all frames since the program started. */
 double desktop_number(Desktop *desktop, const char *name);
 double desktop_largest(Desktop *desktop, const char *name);

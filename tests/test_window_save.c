@@ -62,7 +62,7 @@ static void test_save(void **state) {
     char command[4096];
     desktop_view(window, "\"$here\"/scenes/crater.glsl " SMALL " --spp 48 --seed 7 --set hover=0.75");
     desktop_do(window, "key h mousemove 100 90 mousedown 1 mousemove 110 93 mouseup 1 key 3");
-    desktop_expect_rest(window, 48);
+    desktop_expect_done(window, 48);
     desktop_do(window, "mousemove 700 500 key p"); /* the pointer out of the picture */
     const char *line = desktop_expect(window, "\"event\": \"save\"", "\"message\": \"\"");
     assert_non_null(strstr(line, "crater-001"));
@@ -87,11 +87,11 @@ static void test_save_after_previews(void **state) {
     Text file = {0}, command = {0};
     Error error;
     desktop_view(window, "\"$here\"/scenes/sundial.glsl --size 200x120 --spp 16");
-    desktop_expect_rest(window, 16);
+    desktop_expect_done(window, 16);
     desktop_do(window,
                "key h mousemove 100 60 mousedown 3 mousemove 110 66 sleep 0.05 mousemove 112 70 sleep 0.4 "
                "mousemove 90 60 sleep 0.02 mousemove 80 60 mouseup 3 mousedown 1 mousemove 84 62 mouseup 1");
-    desktop_expect_rest(window, 16);
+    desktop_expect_done(window, 16);
     const char *saved = desktop_save(window, "exr");
     desktop_quit(window);
     assert_true(file_read(saved, STATUS_FAILURE, &file, &error));
@@ -119,7 +119,7 @@ static void test_link(void **state) {
     desktop_do(
         window,
         "key h mousemove 100 90 mousedown 1 mousemove 110 93 mouseup 1 mousemove 700 500 key 3 key equal");
-    desktop_expect_rest(window, 16);
+    desktop_expect_done(window, 16);
     const char *first = desktop_save(window, "exr");
     desktop_do(window, "key l");
     line = desktop_expect(window, "\"event\": \"copy\"", "magichour view ");
@@ -159,7 +159,7 @@ static void test_save_moving(void **state) {
     desktop_view(window, "%s --glsl-dir %s " SMALL " --spp 16", text_string(&scene), text_string(&library));
     desktop_do(window,
                "key h mousemove 100 90 mousedown 1 mousemove 110 93 mouseup 1 key space sleep 0.3 key space");
-    desktop_expect_rest(window, 16);
+    desktop_expect_done(window, 16);
     desktop_do(window, "mousemove 700 500");
     const char *saved = desktop_save(window, "exr");
     desktop_quit(window);
